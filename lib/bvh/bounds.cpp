@@ -108,7 +108,7 @@ Bounds instance_bounds(const Instance& instance, const std::vector<Bounds>& tree
     Bounds bounds = empty_bounds();
     if (local.lo[0] > local.hi[0]) return bounds;
     double m[12];
-    invert_affine(instance.local, m);
+    invert_affine(instance.to_tree, m);
     for (int corner = 0; corner < 8; corner++) {
         float p[3];
         for (int a = 0; a < 3; a++) {

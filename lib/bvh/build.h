@@ -64,7 +64,7 @@ Tree build_compact(const Input* trees, size_t tree_count = 1, const Tell& tell =
 inline Tree build8(const Input& scene) { return build8(&scene, 1); }
 inline Tree build_compact(const Input& scene) { return build_compact(&scene, 1); }
 
-// World from local of an instance's matrix (Instance.local): the inverse, in double, the translation as fourth
+// World from local of an instance's matrix (Instance.to_tree): the inverse, in double, the translation as fourth
 // column.
 void invert_affine(const float local_from_world[12], double world_from_local[12]);
 

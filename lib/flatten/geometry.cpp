@@ -77,7 +77,7 @@ void Instances::write_records(FlatScene& out) const {
     for (const Place& p : places_) {
         const Xform frame = base::inverse(p.frame);
         Instance& instance = out.instances.emplace_back();
-        put_matrix(instance.local, base::inverse(p.to_world),
+        put_matrix(instance.to_tree, base::inverse(p.to_world),
                    base::point(p.to_world, trees_[p.tree - 1].centre) - out.centre);
         instance.tree = p.tree;
         instance.forced = p.forced;

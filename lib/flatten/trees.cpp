@@ -37,7 +37,7 @@ std::string hash_of_inputs(const FlatScene& s) {
     hash.add_all(s.vertices), hash.add_all(s.triangles), hash.add_all(s.tri_prim);
     hash.add_all(s.shapes), hash.add_all(s.shape_prim), hash.add_all(s.polygon_uv);
     for (const Instance& instance : s.instances) {
-        for (const float value : instance.local) hash.add({bits(value)});
+        for (const float value : instance.to_tree) hash.add({bits(value)});
         hash.add({instance.tree, instance.forced});
     }
     return hash.text();

@@ -52,13 +52,13 @@ STRUCT(Shape) {
 
 // One geometry in several places (bvh/instance.h); Hit.inst is the number of one.  Its matrices are three rows of four.
 STRUCT(Instance) {
-    float local[12];  // to the tree's coordinates (instance_point)
-    uint tree;        // >= 1; only tree 0 holds instances
-    uint forced;      // RAY_* of all its surfaces; 0: their own
-    uint clear;       // 1: its modifier is of a transparent type (PRIM_CLEAR)
-    float frame[12];  // to the coordinates that functions of the modifiers see
-    uint mod;         // modifier in place of all those inside, NONE = their own
-    float scale;      // a world length in the coordinates of `frame`
+    float to_tree[12];  // to the coordinates of its tree (instance_point)
+    uint tree;          // >= 1; only tree 0 holds instances
+    uint forced;        // RAY_* of all its surfaces; 0: their own
+    uint clear;         // 1: its modifier is of a transparent type (PRIM_CLEAR)
+    float frame[12];    // to the coordinates that functions of the modifiers see
+    uint mod;           // modifier in place of all those inside, NONE = their own
+    float scale;        // a world length in the coordinates of `frame`
 };
 
 // A material, pattern, texture or mixture.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Layout of the flat scene in words and floats, what records.h does not name yet, and the parameters of a pass.
+// Kinds and flags in the records (records.h), and the parameters of a pass.
 // u = word arena, f = float arena of SceneTables; "at" means an index into one of them.
 #ifndef LUX_TABLES_H
 #define LUX_TABLES_H

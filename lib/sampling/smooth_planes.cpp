@@ -142,7 +142,7 @@ SmoothSurfaces smooth_surfaces(const flatten::FlatScene& scene) {
         const auto [inside, fresh] = of_tree.emplace(std::make_pair(tree, mod), Planes());
         if (fresh) inside->second = finder.of_tree(scene.trees[tree], mod);
         for (const auto& [key, plane] : inside->second) {
-            add(planes, turned(instance.local, plane.normal), plane.size);
+            add(planes, turned(instance.to_tree, plane.normal), plane.size);
             placed++;
         }
     }

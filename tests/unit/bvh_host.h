@@ -66,7 +66,7 @@ inline void brute_part(const bvh_scenes::Scene& s, size_t part, const Ray& ray, 
     for (size_t i = 0; part == 0 && i < s.instances.size(); i++) {
         const Instance& one = s.instances[i];
         WoopRay local;
-        woop_prepare(instance_point(one.local, ray.org), affine_vector(one.local, ray.dir), &local);
+        woop_prepare(instance_point(one.to_tree, ray.org), affine_vector(one.to_tree, ray.dir), &local);
         if (one.forced == 0 || (mask & one.forced))
             brute_part(s, one.tree, ray, local, one.forced ? RAY_ALL : mask, uint32_t(i), look);
     }

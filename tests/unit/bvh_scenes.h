@@ -132,8 +132,8 @@ struct Scene {
         kernels::Instance& one = instances.emplace_back();
         const double m[3] = {move.x, move.y, move.z};
         for (int i = 0; i < 3; i++) {
-            for (int j = 0; j < 3; j++) one.local[4 * i + j] = float(rows[3 * j + i] / scale);
-            one.local[4 * i + 3] = float(m[i]);
+            for (int j = 0; j < 3; j++) one.to_tree[4 * i + j] = float(rows[3 * j + i] / scale);
+            one.to_tree[4 * i + 3] = float(m[i]);
         }
         one.tree = tree;
         one.forced = forced;

@@ -152,7 +152,7 @@ struct EmbreeScene::State {
 
     void add_instance(Tree& tree, const Instance& instance, unsigned number) {
         double m[12];
-        invert_affine(instance.local, m);
+        invert_affine(instance.to_tree, m);
         float rows[12];
         for (int i = 0; i < 12; i++) rows[i] = float(m[i]);
         RTCGeometry g = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);

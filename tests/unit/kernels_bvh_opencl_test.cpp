@@ -18,7 +18,6 @@
 #include "unit/bvh_host.h"
 
 using kernels::as_uint_;
-using kernels::uint;
 
 static std::vector<cl::Device> devices;
 

@@ -8,6 +8,7 @@
 #include "unit/embree_scene.h"
 
 using bvh_scenes::Vec;
+using kernels::F3;
 
 static bool same(const kernels::Hit& a, const kernels::Hit& b) {
     return a.prim == b.prim && a.inst == b.inst && (a.prim == NO_HIT || a.t == b.t);

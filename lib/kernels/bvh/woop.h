@@ -125,7 +125,8 @@ FN int enter_instance(TABLES(const SceneTables) s, uint number, PRIVATE(const Ra
     GLOBAL const Instance* instance = &s->instances[number];
     uint forced = instance->forced;
     if (forced != 0u && (mask & forced) == 0u) return 0;
-    woop_prepare(instance_point(instance->local, ray->org), affine_vector(instance->local, ray->dir), &way->r);
+    woop_prepare(instance_point(&instance->to_tree[0], ray->org), affine_vector(&instance->to_tree[0], ray->dir),
+                 &way->r);
     way->inst = number;
     way->mask = forced == 0u ? mask : RAY_ALL;
     *root = ROOT_OF_TREE(instance->tree);

@@ -132,7 +132,7 @@ FN void surface_at(TABLES(const SceneTables) s, PRIVATE(const Ray) ray, PRIVATE(
     float extent = prim_extent(prim);
     if (in_instance(hit->inst)) {
         GLOBAL const Instance* record = &s->instances[hit->inst];
-        matrix = record->local;
+        matrix = &record->to_tree[0];
         if (record->mod != NONE) g->mod = record->mod;
         g->nface = surface_in_instance(s, prim, matrix, g, &extent);
     } else {
