@@ -4,8 +4,8 @@
 // to what belongs to one path, TABLES(T) to what all paths have in common, PARAMS(T) to the parameters of a pass;
 // structs by STRUCT(name); out-parameters by pointer; float3 only through F3() and the functions of vec.h; no
 // recursion; literals with f; own math (math.h).  For paths in lanes (compat_lanes.isph): a counter that goes the same
-// way for all paths is UNIFORM; an initial value does not refer to a name of its own declaration; no f(x)[i]; no
-// pointer into a PRIVATE array that depends on the path.
+// way for all paths is UNIFORM; an initial value does not refer to a name of its own declaration; no f(x)[i] or
+// f(x)->m; no pointer into a PRIVATE array that depends on the path.
 #pragma once
 #include <cstdint>
 #include <cstring>

@@ -12,7 +12,10 @@ FN GLOBAL const FocusEntry* focus_entry(TABLES(const SceneTables) s, PARAMS(cons
 FN uint path_pixel(TABLES(const SceneTables) s, PARAMS(const Params) par, uint path) {
     if (par->mode == MODE_RAY) return 0u;
     if (par->reuse_path_count != 0u) return reuse_pixel(par, par->first + path);
-    if (par->spp > 1u) return focus_entry(s, par, path)->pixel;
+    if (par->spp > 1u) {
+        GLOBAL const FocusEntry* entry = focus_entry(s, par, path);
+        return entry->pixel;
+    }
     return (par->first + path) / par->samples_per_pass;
 }
 

@@ -224,9 +224,9 @@ FN_RARE float3 bsdf_direct(TABLES(const SceneTables) s, PARAMS(const Params) par
     float3 v = bsdf_local(lobes->BSDF_X, z, g->v), l = bsdf_local(lobes->BSDF_X, z, dir);
     int transmit = (l.z > 0.0f) != (v.z > 0.0f);
     float3 sum = scale3(transmit ? lobes->diffuse_t : lobes->diffuse_r, fabs_(l.z) * w * K_INV_PI);
-    uint at = bsdf_component(s, m, g->front, transmit)->table;
-    if (at == NONE) return sum;
-    GLOBAL const BsdfTable* table = &s->bsdf_tables[at];
+    GLOBAL const BsdfComponent* component = bsdf_component(s, m, g->front, transmit);
+    if (component->table == NONE) return sum;
+    GLOBAL const BsdfTable* table = &s->bsdf_tables[component->table];
     float3 tint = transmit ? g->color : F3(1.0f, 1.0f, 1.0f);
 
     if (transmit && lobes->BSDF_PEAK_KIND != PEAK_NONE) {
@@ -259,7 +259,8 @@ FN_RARE float3 bsdf_direct(TABLES(const SceneTables) s, PARAMS(const Params) par
 FN_RARE float bsdf_sample_lobe(TABLES(const SceneTables) s, PRIVATE(const Lobes) lobes, PRIVATE(const Surface) g,
                                int transmit, PRIVATE(Sampler) rnd, PRIVATE(float3) coef, PRIVATE(float3) dir) {
     GLOBAL const Modifier* m = &s->modifiers[g->mod];
-    GLOBAL const BsdfTable* table = &s->bsdf_tables[bsdf_component(s, m, g->front, transmit)->table];
+    GLOBAL const BsdfComponent* component = bsdf_component(s, m, g->front, transmit);
+    GLOBAL const BsdfTable* table = &s->bsdf_tables[component->table];
     float3 v = transmit ? lobes->BSDF_V_T : lobes->BSDF_V_R, l, z = bsdf_normal(g);
     float hemi = transmit ? lobes->BSDF_HEMI_T : lobes->BSDF_HEMI_R, weight = bsdf_sample(s, table, v, rnd, &l);
     if (weight <= 0.0f || hemi <= 0.0f) return 0.0f;
