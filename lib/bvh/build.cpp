@@ -161,10 +161,7 @@ private:
             const auto* leaf = static_cast<const TempLeaf*>(node);
             unsigned triangles = 0, instances = 0;
             for (unsigned i = 0; i < leaf->prims; i++) {
-                if (leaf->prim[i] < in.triangle_count) {
-                    triangles++;
-                    continue;
-                }
+                if (leaf->prim[i] < in.triangle_count) triangles++;
                 if (leaf->prim[i] < in.first_instance()) continue;
                 if (&in != trees_) base::fail("", "an instance within an instance was not flattened");
                 const Instance& instance = in.instances[leaf->prim[i] - in.first_instance()];

@@ -40,7 +40,8 @@ static std::string program_text() {
 #endif
 // Ray: 8 floats; result: t, prim, u, v, inst, any, and a shifted origin's x.
 __kernel void trace_rays(__global const float* nodes, __global const float* leaves, __global const Shape* shapes,
-                         __global const float* uv, __global const Instance* instances, __global const float* rays, __global uint* out, uint mask) {
+                         __global const float* uv, __global const Instance* instances, __global const float* rays,
+                         __global uint* out, uint mask) {
     size_t i = get_global_id(0);
     SceneTables s;
     Ray ray;
