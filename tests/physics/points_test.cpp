@@ -239,3 +239,30 @@ TEST_CASE("nine closed forms lie in their 95 % intervals, 16 frames, in 93 % of 
     }
     CHECK(held >= .93 * all - 3 * std::sqrt(.05 * .95 * all));
 }
+
+// Pilots of the mixture weights begin at bounces, in the room, not on the sensors.
+TEST_CASE("behind a window the sensors' directions are drawn toward it") {
+    std::string text = uniform + "void glass pane 0 0 3 .96 .96 .96\nvoid plastic wall 0 0 5 .3 .3 .3 0 0\n";
+    const auto polygon = [&](const std::string& corners) { text += "wall polygon w 0 0 12 " + corners + "\n"; };
+    polygon("0 0 0  4 0 0  4 4 0  0 4 0");
+    polygon("0 0 3  0 4 3  4 4 3  4 0 3");
+    polygon("0 4 0  4 4 0  4 4 3  0 4 3");
+    polygon("0 0 0  0 4 0  0 4 3  0 0 3");
+    polygon("4 0 0  4 0 3  4 4 3  4 4 0");
+    polygon("0 0 0  0 0 1.5  4 0 1.5  4 0 0");
+    polygon("0 0 2.5  0 0 3  4 0 3  4 0 2.5");
+    text += "pane polygon p 0 0 12  0 0 1.5  4 0 1.5  4 0 2.5  0 0 2.5\n";
+    const scene::Scene scene = laws::scene_of(text);
+    const std::vector<Sensor> sensors = {{{2, 3.5, .8}, {0, 0, 1}, 0}, {{2, 3.9, 1.5}, {0, -1, 0}, 0}};
+    render::RenderOptions toward, plain;
+    toward.sampling = render::Sampling::portals, plain.sampling = render::Sampling::plain;
+    for (const std::string& device : laws::devices()) {
+        CAPTURE(device);
+        const std::vector<Mean> a = means_of(scene, sensors, true, 32, device, toward),
+                                b = means_of(scene, sensors, true, 32, device, plain);
+        for (size_t i = 0; i < sensors.size(); ++i) {
+            CHECK(std::abs(a[i].value - b[i].value) <= 4 * std::hypot(a[i].error, b[i].error));
+            CHECK(a[i].error < .7 * b[i].error);
+        }
+    }
+}

@@ -144,10 +144,10 @@ FN Sampler path_sampler(PathInfo info) {
     return rnd;
 }
 
-// In place of the primitive that a path has hit: it begins on a sensor.
+// In place of the primitive that a path has hit: it begins on a sensor.  Pilots that begin at a bounce do not.
 #define ON_SENSOR 0xfffffffeu
 FN int begins_on_sensor(PARAMS(const Params) par, uint flags) {
-    return (par->flags & PF_SENSORS) != 0u && path_steps(flags) == 0u;
+    return (par->flags & PF_SENSORS) != 0u && path_steps(flags) == 0u && path_bounces(flags) == 0u;
 }
 
 // words: of `hit`.
