@@ -3,7 +3,7 @@
 BUILD  ?= build
 JOBS   ?= $(shell nproc 2>/dev/null || echo 2)
 PREFIX ?= /usr/local
-# More for cmake, such as FLAGS=-DLUXPIPE_PTRACE=OFF (the three tools that need neither Embree nor OpenCL).
+# More for cmake, such as FLAGS=-DLUXPIPE_PTRACE=OFF (the tools that need neither Embree nor OpenCL).
 FLAGS  ?=
 # SETUP=no installs no packages; otherwise those that the goal needs and the machine lacks, said before.
 SETUP  ?= yes
@@ -21,7 +21,7 @@ CXX_FILES = $(shell git ls-files '*.cpp' '*.h')
 help: ## this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-18s %s\n", $$1, $$2 }' Makefile
 
-all: setup ## a release build of the four tools in build/bin (fetches ispc from Debian 13 into .ispc: 47 MB)
+all: setup ## a release build of the programs in build/bin (fetches ispc from Debian 13 into .ispc: 47 MB)
 	cmake -S . -B "$(BUILD)" -G Ninja --log-level=WARNING -DCMAKE_INSTALL_PREFIX="$(PREFIX)" \
 	    "-DLUXPIPE_LANES=$(LANES)" $(KERNELS) $(FLAGS)
 	cmake --build "$(BUILD)" -j $(JOBS) --target tools

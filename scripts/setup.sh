@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: BSD-3-Clause
 # setup.sh PARTS: installs the Debian packages that these parts of luxpipe need, if any is missing; does nothing
-# otherwise.  Parts: tools (the three that measure), ptrace, tests, demo, fuzz, deb, wheel,
+# otherwise.  Parts: tools (those that measure), ptrace, tests, demo, fuzz, deb, wheel,
 # chroot, site.
 # It says what it will install, then runs `apt-get` (as root, or through sudo), and changes nothing else.
 # `make SETUP=no` leaves it out.  Elsewhere than on Debian and its relatives it only names what is needed.

@@ -174,6 +174,7 @@ bool OptionTable::read_header_words(const std::vector<std::string>& list, std::s
 
 // Names the nearest option, preferring one that begins alike.  Among options of one letter only -X is near to -x.
 void OptionTable::unknown(Text as_typed) const {
+    if (as_typed == "-h") fail(as_typed, "unknown option; did you mean -help?");
     const std::string whole = one_dash(as_typed), word = lower(whole.substr(0, whole.find('=')));
     const int slip = word.size() <= 2 ? 0 : largest_slip(word.size());
     std::string meant;

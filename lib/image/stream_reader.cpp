@@ -249,7 +249,7 @@ bool StreamReader::next(Picture& picture) {
         if (base::shutdown_requested()) return false;
         if (state_->count == 0)
             base::fail(in.name(), std::string("holds no picture") +
-                                      (in.name() == "stdin" ? " (ptaccum with -o passes none on: add -o -)" : ""));
+                                      (in.name() == "stdin" ? " (ptaccum -o needs -o - as well to pass them on)" : ""));
         state_->require_announced(in.name(), "ends");
         return false;
     }

@@ -6,6 +6,13 @@
 
 namespace scene {
 
+bool Scene::may_have_light() const {
+    return std::any_of(objects.begin(), objects.end(), [](const Object& o) {
+        return o.type == Type::light || o.type == Type::glow || o.type == Type::illum || o.type == Type::spotlight ||
+               o.type == Type::instance || o.type == Type::mesh;
+    });
+}
+
 std::string Scene::place(const Object& o) const { return files[o.file] + ":" + std::to_string(o.line); }
 
 std::optional<int32_t> Scene::find_modifier(const std::string& name, int32_t user) const {

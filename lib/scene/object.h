@@ -74,6 +74,7 @@ struct Scene {
     Span<double> reals(const Object& o) const { return {real_pool.data() + o.real_at, o.real_count}; }
     std::string name(const Object& o) const { return &name_pool[o.name]; }
     std::string place(const Object& o) const;  // "office.rad:14"
+    bool may_have_light() const;               // some material emits, or an octree or mesh could have one that does
     // As lookup_modifier(); nothing if undefined.
     std::optional<int32_t> find_modifier(const std::string& name, int32_t user) const;
     // The modifier object meant by a string argument of `user` (the last definition before it); VOID for "void";

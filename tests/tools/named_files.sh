@@ -115,7 +115,7 @@ kept 'vcregion: a mask that the regions name' office.hdr "vcregion $view -single
 cp m.regions regions.exr
 kept 'the region file' regions.exr "vcregion $view -o regions.exr regions.exr"
 kept 'the picture under the preview' office.hdr 'vcregion -single r -o office.hdr -o p.png -over office.hdr m.regions'
-printf "void colorpict p 7 red green blue office.hdr . Px Py 0 0\n$shown" > pict.rad
+printf "void colorpict p 7 red green blue office.hdr . Px Py 0 0\n$shown\nvoid light lamp 0 0 3 1 1 1\n" > pict.rad
 kept 'ptrace: a picture that the scene names' office.hdr "ptrace $view -frames 1 -o office.hdr pict.rad"
 kept 'the rule of make' good.rad "ptrace $view -frames 1 -M x -MF good.rad good.rad > y"
 check 'a sum may be replaced by one that contains it' '

@@ -3,13 +3,17 @@
 . "${TOP:?}/tests/lib.sh"
 needs ptrace
 view='-vtv -vp 0 0 2 -vd 0 .1 -1 -vu 0 1 0 -vh 40 -vv 40 -x 8 -y 8'
-printf 'void plastic mat 0 0 5 .5 .5 .5 0 0\nmat polygon floor 0 0 12 -5 -5 0 5 -5 0 5 5 0 -5 5 0\n' > good.rad
+printf 'void plastic mat 0 0 5 .5 .5 .5 0 0\nmat polygon floor 0 0 12 -5 -5 0 5 -5 0 5 5 0 -5 5 0\n' > dark.rad
+{ cat dark.rad; printf 'void glow sky 0 0 4 1 1 1 0\nsky source s 0 0 4 0 0 1 180\n'; } > good.rad
 printf 'void plastic mat 0 0 5 .5 .5 .5 0 0\n\nglas polygon floor 0 0 12 -5 -5 0 5 -5 0 5 5 0 -5 5 0\n' > modifier.rad
 printf 'void plastic mat 0 0 5 .5 .5 .5 0\n' > short.rad
 printf '!touch ran\n' > command.rad
 printf 'void light l 0 0 3 1 10 3e38\nl polygon p 0 0 9 360 0 1 0 1 180 1 0 1\n' | cat - good.rad > bright.rad
 mkdir folder
 
+check 'a scene without light is rendered with a warning' '
+    ptrace $view -frames 1 dark.rad 2> said | cat > t; grep -q "is the sky missing" said; [ $(wc -l < said) = 1 ]
+    rm dark.rad said t'
 check 'a good scene renders' "ptrace $view -frames 2 good.rad"
 check_error 'an undefined modifier names its line' 1 '^ptrace: modifier.rad:3: .*"?glas"?.* not defined' "
     ptrace $view -frames 1 modifier.rad | cat"

@@ -4,6 +4,7 @@
 needs ptrace ptaccum vcmetrics vcregion mkstream
 view='-vtv -vp 0 0 2 -vd 0 .1 -1 -vu 0 1 0 -vh 40 -vv 40 -x 8 -y 8'
 printf 'void plastic mat 0 0 5 .5 .5 .5 0 0\nmat polygon floor 0 0 12 -5 -5 0 5 -5 0 5 5 0 -5 5 0\n' > good.rad
+printf 'void glow sky 0 0 4 1 1 1 0\nsky source s 0 0 4 0 0 1 180\n' >> good.rad
 printf '!touch PWNED\n' > evil.rad
 printf 'VIEW= -vtv -vp 0 0 2 -vd 0 .1 -1 -vu 0 1 0 -vh 40 -vv 40\n' > down.vf
 rif() { printf 'scene= %s\nRESOLUTION= 8\nview= a -vf down.vf\n%s\n' "$1" "$2" > t.rif; }

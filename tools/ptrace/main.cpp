@@ -237,6 +237,7 @@ int render_all(Options options) {
             std::make_shared<base::WorkBudget>(*opt.files.work);  // each sky has what the rest has left
         setup.reading.asked_by.clear();                           // a sky is the command line's
         if (!sky.file.empty()) scene::read_more(scene, {sky.file}, setup.reading);
+        const bool is_dark = !run.session && !scene.may_have_light();
         // Files that a scene names are read when it is loaded; so the rule of -M needs a device, too.
         if (!run.session) {
             run.session.emplace(start(only_rule ? "cpu" : opt.device), opt.scene_files);
@@ -247,6 +248,7 @@ int render_all(Options options) {
         run.session->load(std::move(scene), sky.file, setup, keep);
         if (!opt.rule_for.empty() && last) write_rule(opt);
         if (only_rule) continue;
+        if (is_dark) base::warn("scene", "none of its materials gives light: is the sky missing?");
         if (opt.pixel) return write_pixel(opt, *run.session), 0;
         if (opt.output.empty() && !opt.one_picture && base::stdout_is_file() && &sky == &skies.front())
             base::warn("stdout",
