@@ -84,6 +84,10 @@ coverage: all ## how often intervals hold the truth: SCENES="1000-1011 office" S
 	@python3 studies/coverage/coverage.py -bin "$(BUILD)/bin" -out out/coverage -scenes "$(or $(SCENES),1000-1011)" \
 		-seeds $(or $(SEEDS),200) -size $(or $(SIZE),48) -frames $(or $(FRAMES),74)
 
+coverage-sensors: all ## the same of grids of sensors: SCENES="1070-1075" SEEDS=200 FRAMES=256 (hours)
+	@python3 studies/coverage/sensors.py -bin "$(BUILD)/bin" -out out/sensors -scenes "$(or $(SCENES),1070-1075)" \
+		-seeds $(or $(SEEDS),200) -frames $(or $(FRAMES),256)
+
 year: all ## the office's year, Mondays at four desks: out/year/report.html (WEATHER=site.epw HOURS='Mo-Fr 8-18')
 	@$(MAKE) -C studies/year -j $(JOBS) BIN="$(abspath $(BUILD))/bin"
 
@@ -129,5 +133,5 @@ setup:
 	@[ "$(SETUP)" = no ] || $(ISPC)
 
 .PHONY: help all everything demo live test test-gpu test-slurm test-deb test-sanitize fuzz deb wheel test-wheel \
-	bench coverage compare-radiance compare-evalglare \
+	bench coverage coverage-sensors compare-radiance compare-evalglare \
 	man site format lint install uninstall clean setup

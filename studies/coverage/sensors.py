@@ -20,6 +20,9 @@ def options():
     p.add_argument('-out', required=True, help='where everything is kept')
     p.add_argument('-scenes', required=True, help='draws of make_room.py')
     p.add_argument('-seeds', type=int, default=200)
+    p.add_argument('-first', type=int, default=1, help='the first seed')
+    p.add_argument('-frames', type=int, default=LOOKS[-1], help='of a run; other seeds may have others')
+    p.add_argument('-do', default='make,judge', help='judge takes all seeds that are there')
     p.add_argument('-points', type=int, default=200, help='over the floor')
     p.add_argument('-measure', help='ptaccum and vcmetrics of another build')
     p.add_argument('-label', default='now', help='a name for how it is measured')
@@ -126,10 +129,11 @@ class Study:
         done = self.file(self.table_of(seed, 'stop'))
         if os.path.exists(done):
             return
-        self.trace(seed, LOOKS[-1] + 1)
+        self.trace(seed, self.o.frames + 1)
         self.measure(seed, ['-metrics', ','.join(self.columns)], self.file(self.table_of(seed, 'all')))
         for n in LOOKS:
-            self.each(seed, self.table_of(seed, n), ['-max-frames', str(n)])
+            if n <= self.o.frames:
+                self.each(seed, self.table_of(seed, n), ['-max-frames', str(n)])
         said = self.each(seed, self.table_of(seed, 'each'), ['-until', self.rule])
         with open(done, 'w') as f:
             f.write(re.search(r'after (\d+) frames', said).group(1))
@@ -137,9 +141,12 @@ class Study:
     def read(self, seed):
         stop = int(open(self.file(self.table_of(seed, 'stop'))).read())
         rows = {int(r['frame']): r for r in table(self.file(self.table_of(seed, 'all')))}
-        each = {n: table(self.file(self.table_of(seed, n))) for n in LOOKS}
+        each = {n: table(self.file(self.table_of(seed, n))) for n in LOOKS if n in rows}
         each[STOP] = table(self.file(self.table_of(seed, 'each')))
         return {n: (rows[n or stop], each[n]) for n in each}, stop
+
+    def seeds_there(self):
+        return sorted(int(f.split('.')[0]) for f in os.listdir(self.tables) if f.endswith('.stop.tsv'))
 
 
 def numbers(study, values):
@@ -175,11 +182,14 @@ class Cell:
 
 def judge(study, seeds):
     runs = {s: study.read(s) for s in seeds}
-    last = {s: [(r['grid'], float(r['E'])) for r in run[LOOKS[-1]][1]] for s, (run, _) in runs.items()}
+    frames = {s: max(run) for s, (run, _) in runs.items()}
+    last = {s: [(r['grid'], float(r['E'])) for r in run[frames[s]][1]] for s, (run, _) in runs.items()}
     cells = {}
     for parity in 0, 1:
-        others = [v for s, v in last.items() if s % 2 != parity]
-        truth = [(column[0][0], statistics.fmean(v for _, v in column)) for column in zip(*others)]
+        others = [s for s in seeds if s % 2 != parity]
+        n = sum(frames[s] for s in others)
+        truth = [(column[0][0], sum(frames[s] * v for s, (_, v) in zip(others, column)) / n)
+                 for column in zip(*(last[s] for s in others))]
         exact = numbers(study, truth)
         for seed in [s for s in seeds if s % 2 == parity]:
             for look, (row, each) in runs[seed][0].items():
@@ -198,8 +208,7 @@ def name_of(column):
 def report(found):
     merged = {}
     for draw, (cells, stops) in found.items():
-        print('%s: stops at a median of %d frames, %d of %d at the last' % (
-            draw, statistics.median(stops), sum(s == LOOKS[-1] for s in stops), len(stops)))
+        print('%s: %d seeds, stops at a median of %d frames' % (draw, len(stops), statistics.median(stops)))
         for (column, look), cell in cells.items():
             merged.setdefault((name_of(column), look), []).append((draw, column, cell))
     columns = list(dict.fromkeys(c for c, _ in merged))
@@ -225,10 +234,11 @@ def report(found):
 def main():
     o = options()
     studies = {draw: Study(o, draw) for draw in names(o.scenes)}
-    seeds = range(1, o.seeds + 1)
+    seeds = range(o.first, o.first + o.seeds) if 'make' in o.do else []
     with concurrent.futures.ThreadPoolExecutor(o.jobs) as pool:
         list(pool.map(lambda at: at[0].make(at[1]), [(s, seed) for seed in seeds for s in studies.values()]))
-    report({draw: judge(s, seeds) for draw, s in studies.items()})
+    if 'judge' in o.do:
+        report({draw: judge(s, s.seeds_there()) for draw, s in studies.items()})
 
 
 if __name__ == '__main__':
