@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// See sha256.h.  Names of functions and variables are those of FIPS 180-4, sections 4.1.2, 4.2.2 and 6.2.
+// See sha256.h.  FIPS 180-4, sections 4.1.2, 4.2.2 and 6.2, with its names.
 #include "base/sha256.h"
 
 #include <unistd.h>

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// SHA-256 (FIPS 180-4) of a file, as sha256sum prints it: by this others know that their file is the same.
+// SHA-256 (FIPS 180-4) of a file, as sha256sum prints it, so that others can check that they have the same file.  It is
+// written here because a library of cryptography would be one more dependency of every tool, for this one function.
 #pragma once
 #include <string>
 
 namespace base {
 
 std::string sha256(const std::string& bytes);  // 64 hexadecimal digits
-// Of the file, or of the text that stands for it (overlay.h).  Throws Error where it cannot be read.
+// Hashes the file, or the text that stands for it (overlay.h).  Throws Error where it cannot be read.
 std::string sha256_of_file(const std::string& path);
 
 }  // namespace base

@@ -98,7 +98,8 @@ void PointCells::visit(double x, double y, int rings, const Use& use) const {
                 use(sorted_[k], at_[sorted_[k]].first - x, at_[sorted_[k]].second - y);
 }
 
-// The mean direction of neighbours, of which a quarter turn is none.
+// Turns the points so that their rows lie along x: the mean direction from point to nearest neighbour, where a quarter
+// turn counts as none (the mean of four times the angle).
 void PointCells::turn_to_rows() {
     double cosines = 0, sines = 0;
     for (size_t i = 0; i < at_.size(); i += 1 + at_.size() / most_asked) {

@@ -13,7 +13,7 @@ class PointCells {
 public:
     explicit PointCells(const std::vector<image::Point>& points);
 
-    // What the cells span, x to the right and y up.
+    // The size of all cells together, x to the right and y up.
     double width() const { return high_.first - low_.first; }
     double height() const { return high_.second - low_.second; }
     double cell() const { return side_[0] < side_[1] ? side_[0] : side_[1]; }  // its shorter side

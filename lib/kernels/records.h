@@ -41,8 +41,8 @@ STRUCT(Shape) {
     float offset;        // polygon: n.p of its plane
     float margin;        // polygon: points this near to an edge are inside
     uint dropped_axis;   // polygon: polygon_uv holds the two others in order (0: y z, 1: x z, 2: x y)
-    uint uv_at;          // polygon: first row in polygon_uv: the last corner, all corners, and NaN so that eight can be
-                         // read from each corner on; then that of the other coordinate
+    uint uv_at;          // polygon: in polygon_uv: last corner, all corners, NaN up to where eight can be read from
+                         // each corner on; then the other coordinate in the same way
     uint corners;        // polygon: their number
 };
 #define SHAPE_SPHERE 1u

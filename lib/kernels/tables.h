@@ -89,7 +89,7 @@ STRUCT(Params) {
     float highlight_share;            // mixture weight of highlights, where there are any (highlights.h)
     uint samples_per_pass;            // paths of a pixel side by side: samples frame .. frame + samples_per_pass - 1
     float portal_least, portal_most;  // mixture weight of portals, where there are any
-    uint spp, focus_at;     // samples of a frame of a pixel; above 1: those of the entries of `focus` from there on
+    uint spp, focus_at;     // samples of a pixel in a frame; above 1: of the pixels in `focus` from focus_at on
     uint reuse_path_count;  // of a sample whose paths share their suffix vertices (path_reuse.h); 0: none does
     uint redraw;            // not 0: other random numbers than usual, except for the point in the pixel and on the lens
     VIEW_TABLES(TABLE_COUNT)

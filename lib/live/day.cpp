@@ -97,7 +97,7 @@ void Day::begin() {
     for (size_t n = 0; n < texts.size() && !sky; ++n)
         if (place_of_hour(texts[n])) {
             sky = n;
-            texts[n] = with_hour(texts[n], 12);
+            texts[n] = with_hour(texts[n], noon);
         }
     if (texts == texts_ && view == view_) return;
     texts_ = std::move(texts), view_ = view, sky_ = sky;

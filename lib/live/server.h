@@ -19,7 +19,7 @@
 //   POST /overlay?n=&version=&said=&going=   a text that ptrace takes for file N, made from this version of it (412 if
 //                                there is a newer one); said: words for the edit; going: more of the same change
 //                                follows
-//   GET /variant?name=           the picture of that variant, as /next has it; without a name that of the edit before
+//   GET /variant?name=           the picture of that variant, as /next has it; without a name: of the edit before
 //   POST /variant?name=&do=      keep (no name: the next letter), show, base, drop, or call (to=NAME)
 //   POST /place?name=&do=        keep the view under a name, or drop it
 //   POST /back                   asks for the view before this one

@@ -19,7 +19,6 @@ namespace report {
 
 namespace {
 
-constexpr double speck = .005;  // of DGP's sum: smaller sources are one row
 constexpr size_t most_sources = 12;
 
 struct Words {

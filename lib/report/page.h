@@ -10,6 +10,8 @@
 
 namespace report {
 
+constexpr double speck = .005;  // of DGP's sum: smaller sources share one row and have no number
+
 struct Page {
     struct Number {
         std::string name;         // a column of vcmetrics

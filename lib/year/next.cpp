@@ -13,6 +13,7 @@ namespace {
 constexpr double most_times = 16;  // times as many frames: an hour that needs more counts as on the limit
 
 Need need_of(const Hour& h, double limit) {
+    if (!h.is_known) return {h, limit, std::max(2 * h.frames, double(uncertainty::least_frames)), 1};
     const double apart = std::fabs(h.dgp.value - limit), noise = h.half_width();
     Need n{h, limit, h.frames, 1};
     while (n.larger < 8 && h.dgp.bound / n.larger > std::max(apart - noise, apart / 2)) n.larger *= 2;

@@ -59,6 +59,11 @@ Hour hour_of(const Columns& c, const std::vector<double>& row, const std::vector
         h.dgp.value = (row[*c.low] + row[*c.high]) / 2;
         h.dgp.error = (row[*c.high] - row[*c.low]) / 2 / normal_quantile;
     }
+    if (!std::isfinite(h.dgp.value) || !(h.dgp.error >= 0)) {
+        h.is_known = false;
+        h.dgp = {row[*c.value], 0, 1};  // DGP is at most 1
+        return h;
+    }
     if (c.low) h.dgp.bound = std::max(error_of_pixels(h.pixels), c.pixel_error ? std::fabs(row[*c.pixel_error]) : 0);
     return h;
 }
@@ -95,12 +100,15 @@ Tables read_tables(const std::vector<std::string>& paths) {
     for (const std::string& path : paths) add_table(path, names, hours, all);
     for (size_t k = 0; k < names.size(); ++k) {
         all.views.push_back({names[k], {}});
+        bool is_known = false;
         for (const auto& [minute, h] : hours[k]) {
-            if (!(h.dgp.error >= 0) || !std::isfinite(h.dgp.value))
-                base::fail(weather::name_of(h.time),
-                           "has no interval: it needs two frames or more, and vcmetrics -ci 95");
+            if (!std::isfinite(h.dgp.value)) base::fail(weather::name_of(h.time), "has no value");
+            is_known = is_known || h.is_known;
             all.views.back().hours.push_back(h);
         }
+        if (!is_known)
+            base::fail(weather::name_of(all.views.back().hours.front().time),
+                       "has no interval: it needs two frames or more, and vcmetrics -ci 95");
     }
     return all;
 }

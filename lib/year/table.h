@@ -14,6 +14,7 @@ struct Hour {
     uncertainty::Uncertain dgp;     // without the bias of noise; the bound is that of its pixels
     double frames = 0, pixels = 0;  // pixels: of its picture; 0: not in the table
     bool dark = false;              // no light at all
+    bool is_known = true;           // false: no interval came with so few frames, so that any value is possible
     double half_width() const;      // of the 95 % interval, without the pixels' bound
 };
 
@@ -29,7 +30,7 @@ struct Tables {
 };
 
 // Later files, and later lines, replace what was said of an hour.  Throws Error (place: the file) for tables without
-// hours or DGP, or with some hours that have no interval.
+// hours or DGP, or in which no hour has an interval.
 Tables read_tables(const std::vector<std::string>& paths);
 
 }  // namespace year

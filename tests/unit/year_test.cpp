@@ -96,6 +96,23 @@ TEST_CASE("tables that are no year") {
           "0621_1430: has no interval: it needs two frames or more, and vcmetrics -ci 95");
 }
 
+TEST_CASE("an hour without an interval among others is undecided, and needs frames") {
+    TempFolder folder;
+    const Tables t =
+        read_tables({folder.holding("x.tsv", head + row("0621_1330", .2, .01) + row("0621_1430", 1, std::nan("")))});
+    const View& view = t.views.at(0);
+    REQUIRE(view.hours.size() == 2);
+    CHECK(view.hours[1].dgp.value == 1.001);  // as printed: row() has it beside the middle
+    const Verdict v = judge(view, .05);
+    CHECK(v.undecided == 1);
+    CHECK(v.above[2].low == 0);
+    CHECK(v.above[2].high == 1);
+    const std::vector<Need> all = needs(view, v);
+    REQUIRE(all.size() >= 1);
+    CHECK(all[0].frames == 16);
+    CHECK(all[0].larger == 1);
+}
+
 TEST_CASE("counts, the exceeded value, class and autonomy of exact hours") {
     const Verdict v = judge(ramp(1000, 0), .05);
     CHECK(v.above[0].value == 649);  // 351 ... 999

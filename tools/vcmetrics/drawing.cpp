@@ -11,6 +11,7 @@
 #include "display/outline.h"
 #include "glare/formulas.h"
 #include "region/open.h"
+#include "report/page.h"
 
 namespace {
 
@@ -75,7 +76,7 @@ void draw_measured(const Options& o, const image::Picture& picture, const RunSta
     const std::vector<double> shares = glare::dgp_shares(glare::terms_of(m.sources), o.settings.constants);
     for (size_t k = 0; k < shares.size(); ++k) {
         display::draw_area(image, area_of(m, run.reading.geometry(), m.sources[k]), source_colour, 0);
-        if (shares[k] < speck) continue;
+        if (shares[k] < report::speck) continue;
         const Place centre{int(m.sources[k].x), image.height - 1 - int(m.sources[k].y)};
         names.push_back({centre, fmt::format("{}: {:.0f} %", k + 1, 100 * shares[k]), source_colour});
     }

@@ -15,8 +15,6 @@ struct Place {
 // The middle of the upper edge of an area.
 Place top_of(const std::vector<float>& area, int width);
 
-constexpr double speck = .005;  // of DGP's sum: a smaller source is not numbered
-
 // 1 at the pixels of a source, else 0.
 std::vector<float> area_of(const glare::Measurement& measurement, const glare::Geometry& geometry,
                            const glare::GlareSource& source);

@@ -133,7 +133,7 @@ void add_sources(const Options& o, const image::Picture& picture, const RunState
     for (size_t k = 0; k < m.sources.size(); ++k) {
         const glare::GlareSource& s = m.sources[k];
         page.sources.push_back({k + 1, shares[k], s.lum, s.omega, s.P, s.eye_lux, s.direction, ""});
-        if (shares[k] < speck) continue;
+        if (shares[k] < report::speck) continue;
         const std::vector<float> area = area_of(m, g, s);
         size_t peak = 0;
         for (size_t i = 0; i < area.size(); ++i)

@@ -20,7 +20,7 @@ namespace kernels {
 struct FlatTables {
     FLAT_TABLES(TABLE_VECTOR)
 };
-// Those of a view.
+// The tables of a view, likewise.
 struct ViewTables {
     VIEW_TABLES(TABLE_VECTOR)
 };
