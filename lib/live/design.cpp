@@ -89,8 +89,10 @@ bool Design::note(const image::Header& h) {
     keep_last(views, most_views);
     const std::string why = h.edited.substr(0, h.edited.find(' '));
     if (why == "start" || why == "scene" || why == "overlay") current = 0;
-    rendered_.clear();
-    for (const Text& t : texts) rendered_.push_back(t.now);
+    if (current == 0) {  // else the texts may be broken, and a view that changed shows those before
+        rendered_.clear();
+        for (const Text& t : texts) rendered_.push_back(t.now);
+    }
     for (Variant& v : variants)
         if (v.edit < 0 && shows(v)) v.edit = number;
     return true;
@@ -137,17 +139,19 @@ void Design::show(const Variant& v) {
     paused = false;
 }
 
-void Design::pictured(const std::shared_ptr<const image::Picture>& picture) {
-    if (picture->header.edited == "preview") return;
+bool Design::pictured(const std::shared_ptr<const image::Picture>& picture) {
+    if (picture->header.edited == "preview") return false;
     if (newest_ && newest_->header.edit != picture->header.edit) before = newest_;
     newest_ = picture;
     const int64_t edit = picture->header.edit.value_or(0);
     const auto frames = [](const auto& p) { return p ? p->header.frames.value_or(0) : -1; };
+    bool is_news = false;
     for (Variant& v : variants) {
-        const bool again = shows(v) && v.texts == rendered_ && edit == edits.back().first;
-        if (again && frames(picture) > frames(v.picture)) v.edit = edit;  // of two edits the one with more frames
+        const bool again = shows(v) && v.texts == rendered_ && edit == edits.back().first && edit != v.edit;
+        if (again && frames(picture) > frames(v.picture)) v.edit = edit, is_news = true;  // the one with more frames
         if (v.edit == edit) v.picture = picture;
     }
+    return is_news;
 }
 
 // NAME value (low to high) of each column that has an interval.

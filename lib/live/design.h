@@ -59,7 +59,7 @@ struct Design {
     bool back();                             // the view before this one is asked for; false: there is none
     void obey(const std::string& commands);  // lines of the page to ptrace
     void measured(const std::string& line);  // of vcmetrics
-    void pictured(const std::shared_ptr<const image::Picture>& picture);
+    bool pictured(const std::shared_ptr<const image::Picture>& picture);  // true: a variant's edit is another one
     bool note(const image::Header& header);  // of a picture that has come; true: it says something new
     void tell(std::string message);
     std::string json() const;  // without the texts

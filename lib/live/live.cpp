@@ -14,9 +14,9 @@ constexpr size_t most_questions = 1000;
 void Live::put_picture(image::Picture picture) {
     put([&] {
         if (!picture_ || picture.header.edit != picture_->header.edit) questions_.clear();
-        if (design_.note(picture.header)) ++designs_;
+        const bool is_news = design_.note(picture.header);
         picture_ = std::make_shared<const image::Picture>(std::move(picture));
-        design_.pictured(picture_);
+        if (design_.pictured(picture_) || is_news) ++designs_;
         ++pictures_;
     });
 }

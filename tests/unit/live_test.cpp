@@ -245,6 +245,40 @@ TEST_CASE("the design: edits, views and messages") {
     CHECK(live.ask([](const live::Design& d) { return d.paused; }));
 }
 
+TEST_CASE("a variant has the edit that shows it with most frames, and a change of that is news") {
+    live::Live live;
+    live.change([](live::Design& d) { d.texts.resize(1); });
+    image::Picture p = small_picture(2, 2);
+    const auto come = [&](int64_t edit, const char* what, int64_t frames) {
+        p.header.edit = edit;
+        p.header.edited = what;
+        p.header.frames = frames;
+        live.put_picture(p);
+        return live.numbers().design;
+    };
+    const auto edit = [&] { return live.ask([](const live::Design& d) { return d.variants[0].edit; }); };
+    come(0, "start", 8);
+    come(1, "overlay a", 0);
+    live.change([](live::Design& d) { d.keep("A"); });
+    CHECK(edit() == 1);
+    const auto before = come(2, "overlay a", 0);
+    CHECK(edit() == 1);
+    CHECK(come(2, "overlay a", 1) > before);
+    CHECK(edit() == 2);
+    const auto after = come(2, "overlay a", 2);
+    CHECK(come(2, "overlay a", 3) == after);
+
+    // a view that comes while a text is broken shows the text before it
+    live.change([](live::Design& d) { d.change(0, "broken", false), d.tell("ptrace: a.rad:1: broken"); });
+    come(3, "view", 9);
+    live.change([](live::Design& d) { d.keep("B"), d.undo(0), d.keep("C"); });
+    live.ask([](const live::Design& d) {
+        CHECK(d.variants[1].edit == -1);
+        CHECK(d.variants[2].edit == 3);
+        return 0;
+    });
+}
+
 TEST_CASE("a design as a text holds all of it, whatever is in the texts") {
     using live::TextFile;
     const live::Files files{{"r", TextFile::Kind::regions, true},
