@@ -6,23 +6,19 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
 #include <mutex>
 
 #include "base/error.h"
-#include "base/file_stamp.h"
+#include "base/overlay.h"
 
 namespace base {
 namespace {
 
-struct File {
-    std::string path;
-    FileStamp stamp;
-    bool read;
-};
-
 struct Files {
     std::mutex lock;
-    std::vector<File> all;
+    std::vector<FileNote> all;
+    uint64_t count = 0;
     std::vector<std::string> replaceable;
 };
 
@@ -35,9 +31,14 @@ void note(const std::string& path, bool read) {
     Files& f = files();
     const std::string plain = path.compare(0, 2, "./") == 0 ? path.substr(2) : path;
     const std::lock_guard<std::mutex> hold(f.lock);
-    const auto known = std::find_if(f.all.begin(), f.all.end(), [&](const File& x) { return x.path == plain; });
-    if (known == f.all.end()) f.all.push_back({plain, stamp_of(plain), read});
-    else known->read = known->read || read;
+    const auto known = std::find_if(f.all.begin(), f.all.end(), [&](const FileNote& x) { return x.path == plain; });
+    if (known == f.all.end()) {
+        const FileStamp stamp = stamp_of(plain);
+        f.all.push_back({plain, stamp, overlay_number(stamp), read, ++f.count});
+    } else {
+        known->read = known->read || read;
+        known->noted = ++f.count;
+    }
 }
 
 // make's quoting: blanks and # by a backslash, $ by itself.
@@ -88,11 +89,36 @@ void may_replace(const std::string& path) {
 void note_file_read(const std::string& path) { note(path, true); }
 void note_file_missed(const std::string& path) { note(path, false); }
 
+uint64_t files_noted_count() {
+    Files& f = files();
+    const std::lock_guard<std::mutex> hold(f.lock);
+    return f.count;
+}
+
+std::vector<FileNote> files_noted_since(uint64_t count) {
+    Files& f = files();
+    const std::lock_guard<std::mutex> hold(f.lock);
+    std::vector<FileNote> since;
+    std::copy_if(f.all.begin(), f.all.end(), std::back_inserter(since),
+                 [&](const FileNote& x) { return x.noted > count; });
+    return since;
+}
+
+bool note_unchanged_files(const std::vector<FileNote>& notes) {
+    const auto unchanged = [](const FileNote& x) {
+        const FileStamp now = stamp_of(x.path);
+        return now == x.stamp && overlay_number(now) == x.overlay;
+    };
+    if (!std::all_of(notes.begin(), notes.end(), unchanged)) return false;
+    for (const FileNote& x : notes) note(x.path, x.read);
+    return true;
+}
+
 std::vector<std::string> files_read() {
     Files& f = files();
     const std::lock_guard<std::mutex> hold(f.lock);
     std::vector<std::string> paths;
-    for (const File& x : f.all)
+    for (const FileNote& x : f.all)
         if (x.read) paths.push_back(x.path);
     return paths;
 }
@@ -107,14 +133,14 @@ std::vector<std::string> forget_files_read() {
 
 FilesNow files_now() {
     Files& f = files();
-    std::vector<File> all;
+    std::vector<FileNote> all;
     {
         const std::lock_guard<std::mutex> hold(f.lock);
         all = f.all;
     }
     FilesNow now;
     std::string state;
-    for (const File& x : all) {
+    for (const FileNote& x : all) {
         const FileStamp stamp = stamp_of(x.path);
         now.changed = now.changed || !(stamp == x.stamp);
         now.gone = now.gone || (stamp.inode == 0 && x.stamp.inode != 0);

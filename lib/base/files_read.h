@@ -4,12 +4,27 @@
 #include <cstdint>
 #include <string>
 #include <vector>
+#include "base/file_stamp.h"
 
 namespace base {
 
 void note_file_read(const std::string& path);
 // Nothing stands under this name; a file that comes to be there would have been read.
 void note_file_missed(const std::string& path);
+
+// One of the files noted, as it was the first time.
+struct FileNote {
+    std::string path;
+    FileStamp stamp;
+    uint64_t overlay;  // overlay_number()
+    bool read;         // false: missed
+    uint64_t noted;    // the last time: files_noted_count() after it
+};
+// How often a file was noted; the files noted since then.
+uint64_t files_noted_count();
+std::vector<FileNote> files_noted_since(uint64_t count);
+// Notes all of these again, if each file and the text over it are as they were; false: one is not.
+bool note_unchanged_files(const std::vector<FileNote>& notes);
 
 // Throws Error (place: the output) if one of these inputs would be replaced by an output.  "-" among the inputs is the
 // standard input.

@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "base/error.h"
-#include "base/file_stamp.h"
 
 namespace base {
 namespace {
@@ -22,11 +21,13 @@ namespace {
 struct Overlay {
     std::string path, text;
     FileStamp file;
+    uint64_t number;
 };
 
 struct Overlays {
     std::mutex lock;
     std::vector<Overlay> all;
+    uint64_t count = 0;  // of all that ever were
 };
 
 Overlays& overlays() {
@@ -68,7 +69,14 @@ void set_overlay(const std::string& path, std::string text) {
     remove_overlay(path);
     Overlays& o = overlays();
     const std::lock_guard<std::mutex> hold(o.lock);
-    o.all.push_back({path, std::move(text), stamp_of(s)});
+    o.all.push_back({path, std::move(text), stamp_of(s), ++o.count});
+}
+
+uint64_t overlay_number(const FileStamp& file) {
+    Overlays& o = overlays();
+    const std::lock_guard<std::mutex> hold(o.lock);
+    const auto found = std::find_if(o.all.begin(), o.all.end(), [&](const Overlay& x) { return x.file == file; });
+    return found == o.all.end() ? 0 : found->number;
 }
 
 int overlaid(int descriptor) {

@@ -2,7 +2,9 @@
 // Text that stands for a file, wherever open_file() opens it, until the file changes on disk (ptrace -control): a
 // number that is tried need not be saved.
 #pragma once
+#include <cstdint>
 #include <string>
+#include "base/file_stamp.h"
 
 namespace base {
 
@@ -10,6 +12,8 @@ namespace base {
 void set_overlay(const std::string& path, std::string text);
 void remove_overlay(const std::string& path);
 
+// Number of the text that stands for a file, another one for each text; 0: none does.
+uint64_t overlay_number(const FileStamp& file);
 // The descriptor of an open file, or one of the text that stands for it, in exchange.
 int overlaid(int descriptor);
 

@@ -11,6 +11,7 @@ struct Span {
     size_t count = 0;
     const T* begin() const { return first; }
     const T* end() const { return first + count; }
+    const T* data() const { return first; }
     size_t size() const { return count; }
     const T& operator[](size_t i) const { return first[i]; }
 };

@@ -118,9 +118,16 @@ double Plane::extent_of_triangles(const Vec3* corners, size_t count) const {
     return extent + deviation / SURFACE_ROUNDING;
 }
 
+size_t surfaces_end(const scene::Scene& s) {
+    size_t end = s.objects.size();
+    while (end > 0 && (!scene::is_surface(s.objects[end - 1].type) || s.objects[end - 1].type == Type::source)) end--;
+    return end;
+}
+
 std::vector<Box> surface_boxes(const scene::Scene& s, Box& all) {
     std::vector<Box> boxes;
     size_t count = 0;
+    const size_t step = surfaces_end(s) / MOST_BOXES + 1;
     for (const scene::Object& o : s.objects) {
         if (!scene::is_surface(o.type) || o.type == Type::source || o.type == Type::mesh || o.type == Type::instance)
             continue;
@@ -142,7 +149,7 @@ std::vector<Box> surface_boxes(const scene::Scene& s, Box& all) {
         if (box.lo.x > box.hi.x) continue;
         grow(all, box.lo);
         grow(all, box.hi);
-        if (count++ % (s.objects.size() / MOST_BOXES + 1) == 0) boxes.push_back(box);
+        if (count++ % step == 0) boxes.push_back(box);
     }
     return boxes;
 }

@@ -8,7 +8,7 @@
 
 namespace flatten {
 
-void FlatScene::make_room(size_t more_vertices, size_t more_triangles, size_t more_prims) {
+void Draft::make_room(size_t more_vertices, size_t more_triangles, size_t more_prims) {
     base::make_room(vertices, 3 * more_vertices);
     base::make_room(triangles, 3 * more_triangles);
     base::make_room(tri_prim, more_triangles);
@@ -16,11 +16,15 @@ void FlatScene::make_room(size_t more_vertices, size_t more_triangles, size_t mo
     base::make_room(prim_object, more_prims);
 }
 
+FlatScene Draft::finished() && {
+    FlatScene out = std::move(static_cast<FlatScene&>(*this));
+    out.geometry = std::make_shared<const Geometry>(std::move(static_cast<Geometry&>(*this)));
+    return out;
+}
+
 void FlatScene::keep_tables_only() {
-    triangles = std::vector<uint32_t>(), tri_prim = std::vector<uint32_t>();  // "= {}" would keep the memory
-    shape_prim = std::vector<uint32_t>();
-    if (modifier_names.empty()) prim_object = std::vector<uint32_t>();
-    vertices = std::vector<float>(), panes = std::vector<Pane>();
+    geometry = nullptr;
+    if (modifier_names.empty()) prim_object = std::vector<uint32_t>();  // "= {}" would keep the memory
 }
 
 uint32_t material_record(const FlatScene& scene, uint32_t mod) {

@@ -34,6 +34,22 @@ base::Vec3 centre_of(const std::vector<Box>& boxes, const base::Vec3* eye);
 // Half the size of most of the scene.
 double radius_of(const std::vector<Box>& boxes);
 
+// What only the host reads, while it looks for sources and targets.
+struct Geometry {
+    std::vector<float> vertices;       // 3 each, relative to FlatScene::centre (tree 0)
+    std::vector<uint32_t> triangles;   // 3 vertex indices each, from the tree's first
+    std::vector<uint32_t> tri_prim;    // primitive of each triangle; bit 31 = transparent class
+    std::vector<uint32_t> shape_prim;  // primitive of each shape; bit 31 as above
+
+    // Transparent polygons (world coordinates): candidates for portals.
+    struct Pane {
+        base::Vec3 corner, edge, normal;
+        double area;
+        std::vector<base::Vec3> points;
+    };
+    std::vector<Pane> panes;
+};
+
 struct FlatScene : kernels::FlatTables {
     // Geometry of all trees: 0 is the scene, the others are what its instances hold, in coordinates of their own.
     struct Tree {
@@ -41,13 +57,10 @@ struct FlatScene : kernels::FlatTables {
                shape_count = 0;
     };
     std::vector<Tree> trees;
-    std::vector<float> vertices;       // 3 each, relative to centre (tree 0)
-    std::vector<uint32_t> triangles;   // 3 vertex indices each, from the tree's first
-    std::vector<uint32_t> tri_prim;    // primitive of each triangle; bit 31 = transparent class
-    std::vector<uint32_t> shape_prim;  // primitive of each shape; bit 31 as above
-    base::Vec3 centre;                 // world position of the tables' origin
-    std::vector<Box> boxes;            // of surfaces, a sample of them if they are many, in the world
-    double radius = 0;                 // radius_of() them
+    std::shared_ptr<const Geometry> geometry;
+    base::Vec3 centre;       // world position of the tables' origin
+    std::vector<Box> boxes;  // of surfaces, a sample of them if they are many, in the world
+    double radius = 0;       // radius_of() them
 
     uint32_t window_count = 0;  // of all portals; patches of sun and glossy reflectors follow
     uint32_t shadow_mode = 0;   // SHADOW_* of tables.h
@@ -57,15 +70,6 @@ struct FlatScene : kernels::FlatTables {
     bool absorbs = false;     // some segment may lie in an absorbing medium
     bool functions = false;   // some material's lobes are .cal functions or tables
 
-    void make_room(size_t more_vertices, size_t more_triangles, size_t more_prims);
-
-    // Transparent polygons (world coordinates): candidates for portals.
-    struct Pane {
-        base::Vec3 corner, edge, normal;
-        double area;
-        std::vector<base::Vec3> points;
-    };
-    std::vector<Pane> panes;
     std::vector<uint32_t> prim_object;  // scene object of each primitive; NO_OBJECT inside instances
     static constexpr uint32_t NO_OBJECT = 0xffffffffu;
     std::vector<uint32_t> instance_object;  // the mesh or instance of the scene to which each instance belongs
@@ -80,6 +84,12 @@ struct FlatScene : kernels::FlatTables {
     Trees built;  // over the geometry, which does not change any more
     // Gives back the memory of what no kernel reads, except names.
     void keep_tables_only();
+};
+
+// A scene whose geometry is still growing.
+struct Draft : FlatScene, Geometry {
+    void make_room(size_t more_vertices, size_t more_triangles, size_t more_prims);
+    FlatScene finished() &&;
 };
 
 // The material of a chain, from record `mod` on; NONE (kernels/tables.h) for none and for mixtures of materials.

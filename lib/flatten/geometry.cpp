@@ -21,7 +21,7 @@ void put_matrix(float* q, const Xform& x, Vec3 t) {
 
 // Makes a tree of the geometry that `fill` appends.
 template <class Fill>
-void add_tree(FlatScene& out, const Fill& fill) {
+void add_tree(Draft& out, const Fill& fill) {
     FlatScene::Tree t;
     t.first_vertex = out.vertices.size() / 3;
     t.first_triangle = out.triangles.size() / 3;
@@ -34,7 +34,7 @@ void add_tree(FlatScene& out, const Fill& fill) {
 }
 }  // namespace
 
-void flatten_geometry(const Modifiers& modifiers, const Instances& instances, const Vec3* eye, FlatScene& out,
+void flatten_geometry(const Modifiers& modifiers, const Instances& instances, const Vec3* eye, Draft& out,
                       Lights& lights) {
     Box all;
     out.boxes = surface_boxes(modifiers.scene, all);
@@ -67,13 +67,13 @@ void Instances::add_boxes(std::vector<Box>& boxes) const {
     }
 }
 
-void Instances::write_tree(size_t tree, FlatScene& out) const {
+void Instances::write_tree(size_t tree, Draft& out) const {
     const Tree& t = trees_[tree - 1];
     if (t.mesh) flatten_mesh(*t.mesh, t.modifiers, t.materials, t.centre, out);
     else flatten_surfaces(*t.scene, t.modifiers, t.centre, out, nullptr);
 }
 
-void Instances::write_records(FlatScene& out) const {
+void Instances::write_records(Draft& out) const {
     for (const Place& p : places_) {
         const Xform frame = base::inverse(p.frame);
         Instance& instance = out.instances.emplace_back();

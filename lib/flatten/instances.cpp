@@ -63,8 +63,9 @@ const Modifiers& Instances::modifiers_of(const scene::Scene& scene, const scene:
         for (size_t i = 0; i < used.size(); i++)
             if (used[i]) also_used.push_back(int32_t(i));
     }
-    known = std::make_unique<const Modifiers>(flatten_modifiers(scene, also_used, options_, files_, tables_));
-    return *known;
+    auto fresh = std::make_unique<Modifiers>(scene);
+    flatten_modifiers(*fresh, {0, scene.objects.size()}, also_used, options_, files_, tables_);
+    return *(known = std::move(fresh));
 }
 
 uint32_t Instances::tree_of(const scene::Scene* scene, const scene::Mesh* mesh, const Modifiers* modifiers,

@@ -28,8 +28,8 @@ public:
     // For flatten_geometry(): the reach of all places, the trees, and the records of the places.
     void add_boxes(std::vector<Box>& boxes) const;
     size_t tree_count() const { return trees_.size(); }  // tree 0 not counted
-    void write_tree(size_t tree, FlatScene& out) const;
-    void write_records(FlatScene& out) const;
+    void write_tree(size_t tree, Draft& out) const;
+    void write_records(Draft& out) const;
 
 private:
     // The modifier that replaces those inside, and the coordinates that its functions see.

@@ -10,7 +10,7 @@ namespace flatten {
 namespace {
 
 // Reserves memory for all, once.
-void reserve(const scene::Mesh& mesh, bool corners, FlatScene& out) {
+void reserve(const scene::Mesh& mesh, bool corners, Draft& out) {
     const size_t n = mesh.positions.size(), triangles = mesh.triangles.size();
     if (out.corners.size() + n > 0xffffffffu || out.u.size() + 3 * triangles > 0xffffffffu ||
         out.prims.size() + triangles > ID_PRIM)
@@ -21,7 +21,7 @@ void reserve(const scene::Mesh& mesh, bool corners, FlatScene& out) {
     base::make_room(out.u, 3 * triangles);
 }
 
-void add_corners(const scene::Mesh& mesh, FlatScene& out) {
+void add_corners(const scene::Mesh& mesh, Draft& out) {
     const bool smooth = !mesh.normals.empty(), mapped = !mesh.uvs.empty();
     for (size_t i = 0; i < mesh.positions.size(); i++) {
         const scene::Mesh::Normal a = smooth ? mesh.normals[i] : scene::Mesh::Normal{0, 0, 0};
@@ -39,7 +39,7 @@ bool has_normals(const scene::Mesh& mesh, const scene::Mesh::Triangle& t) {
 }  // namespace
 
 void flatten_mesh(const scene::Mesh& mesh, const Modifiers* modifiers, const std::vector<int32_t>& materials,
-                  Vec3 centre, FlatScene& out) {
+                  Vec3 centre, Draft& out) {
     const bool smooth = !mesh.normals.empty(), corners = smooth || !mesh.uvs.empty();
     reserve(mesh, corners, out);
     for (const Vec3& position : mesh.positions) {

@@ -36,22 +36,13 @@ cal::PatternSpec spec_of(const scene::Scene& scene, const Object& o) {
 
 class ModifierWriter {
 public:
-    ModifierWriter(const scene::Scene& scene, const Options& options, const scene::ReadOptions& files,
-                   ModifierTables& tables)
-        : scene_(scene),
-          options_(options),
-          files_(files),
-          tables_(tables),
-          library_(files),
-          nesting_(scene.objects.size(), 0),
-          patterned_(scene.objects.size(), 0),
-          out_(scene) {}
+    ModifierWriter(Modifiers& out, const Options& options, const scene::ReadOptions& files, ModifierTables& tables)
+        : scene_(out.scene), options_(options), files_(files), tables_(tables), library_(files), out_(out) {}
 
-    Modifiers run(const std::vector<int32_t>& also_used) {
-        const std::vector<uint8_t> needed = needed_modifiers(scene_, also_used);
+    void run(Range users, const std::vector<int32_t>& also_used) {
+        const std::vector<uint8_t> needed = needed_modifiers(scene_, users.begin, users.end, also_used);
         for (size_t i = 0; i < needed.size(); i++)
-            if (needed[i]) add(i);
-        return std::move(out_);
+            if (needed[i] && out_.record[i] == NONE) add(i);
     }
 
 private:
@@ -75,8 +66,8 @@ private:
                   {0, 0, NONE, NONE, uint32_t(tables_.arguments.size()), NONE, NONE, NONE, NONE, NONE, 0, 0, 0}};
         if (r.modifier >= 0) {
             link.record.next = out_.record[r.modifier];
-            nesting_[i] = nesting_[r.modifier];
-            patterned_[i] = patterned_[r.modifier];
+            out_.nesting[i] = out_.nesting[r.modifier];
+            out_.patterned[i] = out_.patterned[r.modifier];
         }
         tables_.code.reads = 0;
         if (scene::is_material(link.o.type)) add_material(link);
@@ -109,7 +100,7 @@ private:
         const cal::Program p = cal::compile_pattern(library_, spec_of(scene_, link.o), tables_.code);
         link.record.program = p.entry;
         link.record.type = mod_type(p.kind);
-        if (p.kind != cal::ProgramKind::texture) patterned_[link.index] = 1;
+        if (p.kind != cal::ProgramKind::texture) out_.patterned[link.index] = 1;
         out_.has_material[link.index] = link.above_ends;
         out_.is_met[link.index] = link.above >= 0 && out_.is_met[link.above];
         out_.passes[link.index] = !link.above_ends || out_.passes[link.above];
@@ -126,15 +117,15 @@ private:
             const int32_t m = branches[k];
             const bool material = m >= 0 && out_.has_material[m];
             if (m >= 0) (k == 0 ? link.record.branch1 : link.record.branch2) = out_.record[m];
-            if (m >= 0) inside = std::max(inside, nesting_[m]);
+            if (m >= 0) inside = std::max(inside, out_.nesting[m]);
             materials = materials || material;
             passes = passes || !material || out_.passes[m];
         }
         if (materials && link.above >= 0)
             base::fail(scene_.place(scene_.objects[link.index]), "a mixture of materials cannot have a modifier");
-        if (!materials) link.record.flags |= MF_PATTERNS_ONLY, patterned_[link.index] = 1;
+        if (!materials) link.record.flags |= MF_PATTERNS_ONLY, out_.patterned[link.index] = 1;
 
-        int& nesting = nesting_[link.index];
+        int& nesting = out_.nesting[link.index];
         nesting = std::max(nesting, materials ? 0 : inside + 1);
         if (nesting > MIX_DEPTH)
             base::fail(scene_.place(link.o),
@@ -178,7 +169,7 @@ private:
 
     // Returns true if a pattern multiplies its colours: one above it or, of a WGMDfunc, of its components.
     bool is_patterned(const Link& link) const {
-        const auto some = [&](int32_t m) { return m >= 0 && patterned_[m] != 0; };
+        const auto some = [&](int32_t m) { return m >= 0 && out_.patterned[m] != 0; };
         if (link.o.type != Type::WGMDfunc) return some(link.above);
         const std::vector<int32_t> components = named_modifiers(scene_, uint32_t(link.object));
         return some(link.above) || std::any_of(components.begin(), components.end(), some);
@@ -249,21 +240,17 @@ private:
     ModifierTables& tables_;
     cal::Library library_;
     std::map<std::string, uint32_t> bsdf_files_;  // tables by path
-    std::vector<int> nesting_;                    // of mixtures of patterns, from here on
-    std::vector<uint8_t> patterned_;              // a pattern from here on
     uint32_t antimatters_ = 0;
-    Modifiers out_;
+    Modifiers& out_;
 };
 
 }  // namespace
 
-Modifiers::Modifiers(const scene::Scene& s)
-    : scene(s),
-      record(s.objects.size(), NONE),
-      has_material(s.objects.size(), 0),
-      is_met(s.objects.size(), 0),
-      passes(s.objects.size(), 0),
-      material(s.objects.size(), NONE) {}
+Modifiers::Modifiers(const scene::Scene& s, ModifierLists known) : ModifierLists(std::move(known)), scene(s) {
+    const size_t count = s.objects.size();
+    record.resize(count, NONE), material.resize(count, NONE), nesting.resize(count, 0);
+    for (std::vector<uint8_t>* list : {&has_material, &is_met, &passes, &patterned}) list->resize(count, 0);
+}
 
 bool Modifiers::is_clear(int32_t m) const {
     if (material[m] == NONE) return false;
@@ -271,9 +258,9 @@ bool Modifiers::is_clear(int32_t m) const {
     return o.type != Type::antimatter && mirror_gives_way(scene, o);
 }
 
-Modifiers flatten_modifiers(const scene::Scene& scene, const std::vector<int32_t>& also_used, const Options& options,
-                            const scene::ReadOptions& files, ModifierTables& tables) {
-    return ModifierWriter(scene, options, files, tables).run(also_used);
+void flatten_modifiers(Modifiers& modifiers, Range users, const std::vector<int32_t>& also_used, const Options& options,
+                       const scene::ReadOptions& files, ModifierTables& tables) {
+    ModifierWriter(modifiers, options, files, tables).run(users, also_used);
 }
 
 void write_modifiers(ModifierTables t, FlatScene& out) {
@@ -281,16 +268,25 @@ void write_modifiers(ModifierTables t, FlatScene& out) {
     out.f = std::move(t.code.floats);
     const uint32_t args_at = uint32_t(out.f.size());
     out.f.insert(out.f.end(), t.arguments.begin(), t.arguments.end());
-    for (Modifier& modifier : t.records) modifier.args += args_at;
+    for (size_t i = t.written; i < t.records.size(); i++) t.records[i].args += args_at;
     out.modifiers = std::move(t.records);
     out.bsdf_components = std::move(t.bsdfs.components);
     out.bsdf_tables = std::move(t.bsdfs.tables);
     out.bsdf_rings = std::move(t.bsdfs.rings);
-    if (t.bends) out.shadow_mode = SHADOW_AIMED;
-    out.absorbs = t.media;
-    out.antimatter = t.antimatter;
-    out.functions = t.functions;
+    if (t.bends) out.shadows_need(SHADOW_AIMED);
+    out.absorbs = out.absorbs || t.media;
+    out.antimatter = out.antimatter || t.antimatter;
+    out.functions = out.functions || t.functions;
     out.modifier_names = std::move(t.names);
+}
+
+ModifierTables take_modifiers(FlatScene& out, std::map<std::string, uint32_t> files) {
+    ModifierTables t;
+    t.code.words = std::move(out.u), t.code.floats = std::move(out.f), t.code.tables = std::move(files);
+    t.bsdfs = {std::move(out.bsdf_components), std::move(out.bsdf_tables), std::move(out.bsdf_rings)};
+    t.records = std::move(out.modifiers), t.names = std::move(out.modifier_names);
+    t.written = t.records.size();
+    return t;
 }
 
 }  // namespace flatten

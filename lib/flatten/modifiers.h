@@ -2,6 +2,8 @@
 // Modifier chains as records (kernels/records.h).
 #pragma once
 #include <cstdint>
+#include <map>
+#include <string>
 #include <vector>
 #include "cal/compile.h"
 #include "flatten/bsdf.h"
@@ -14,10 +16,11 @@ namespace flatten {
 
 // Tables that the scene and the octrees of its instances fill together.
 struct ModifierTables {
-    cal::Code code;  // programs: become the start of both arenas, for their addresses are absolute
+    cal::Code code;  // programs, behind what the arenas hold: their addresses are absolute
     std::vector<kernels::Modifier> records;
     BsdfRecords bsdfs;
-    std::vector<float> arguments;  // real ones; Modifier.args counts from their start
+    size_t written = 0;            // so many records are those of write_modifiers() before
+    std::vector<float> arguments;  // real ones of the rest; Modifier.args counts from their start
     bool bends = false;            // some material is MT_BENDS
     bool media = false;            // MT_MEDIUM
     bool antimatter = false;
@@ -25,17 +28,15 @@ struct ModifierTables {
     std::vector<FlatScene::Name> names;  // of the records, with Options::names
 };
 
-// The modifiers of one scene, by the index of the object.
-struct Modifiers {
-    explicit Modifiers(const scene::Scene& scene);  // none is used yet
-
-    const scene::Scene& scene;
+// What is known of modifiers, by the index of the object.
+struct ModifierLists {
     std::vector<uint32_t> record;       // NONE: not used by any surface
     std::vector<uint8_t> has_material;  // the chain from here ends in one, or in a mixture of some
     std::vector<uint8_t> is_met;        // rays meet its surfaces: it has one, or a mixture, even of nothing
     std::vector<uint8_t> passes;        // a shadow ray may pass
     std::vector<uint32_t> material;     // object of the chain's material, aliases resolved; NONE: a mixture, or none
-    bool is_clear(int32_t m) const;     // that is of a transparent type (PRIM_CLEAR)
+    std::vector<int> nesting;           // of mixtures of patterns, from here on
+    std::vector<uint8_t> patterned;     // a pattern from here on
 
     struct Mist {
         uint32_t record, object;
@@ -43,11 +44,27 @@ struct Modifiers {
     std::vector<Mist> mists;
 };
 
-// Only what surfaces use, and what `also_used` names, is compiled.
-Modifiers flatten_modifiers(const scene::Scene& scene, const std::vector<int32_t>& also_used, const Options& options,
-                            const scene::ReadOptions& files, ModifierTables& tables);
+// The modifiers of one scene.
+struct Modifiers : ModifierLists {
+    // None is used but those of the first objects, which are known.
+    explicit Modifiers(const scene::Scene& scene, ModifierLists known = {});
 
-// Into the arenas, which are still empty.
+    const scene::Scene& scene;
+    bool is_clear(int32_t m) const;  // the chain's material is of a transparent type (PRIM_CLEAR)
+};
+
+// Objects of a scene, one after another.
+struct Range {
+    size_t begin, end;
+};
+
+// Compiles what the surfaces among these objects use, and what `also_used` names.
+void flatten_modifiers(Modifiers& modifiers, Range users, const std::vector<int32_t>& also_used, const Options& options,
+                       const scene::ReadOptions& files, ModifierTables& tables);
+
+// Into the arenas.
 void write_modifiers(ModifierTables tables, FlatScene& out);
+// The tables of a scene once more, for further modifiers; files: ModifierTables.code.tables of before.
+ModifierTables take_modifiers(FlatScene& out, std::map<std::string, uint32_t> files);
 
 }  // namespace flatten

@@ -28,15 +28,16 @@ std::vector<int32_t> named_modifiers(const scene::Scene& scene, uint32_t object)
     return out;
 }
 
-std::vector<uint8_t> needed_modifiers(const scene::Scene& scene, const std::vector<int32_t>& also_used) {
-    std::vector<uint8_t> needed(scene.objects.size(), 0);
+std::vector<uint8_t> needed_modifiers(const scene::Scene& scene, size_t begin, size_t end,
+                                      const std::vector<int32_t>& also_used) {
+    std::vector<uint8_t> needed(end, 0);
     const auto need = [&](int32_t i) {
         if (i >= 0) needed[i] = 1;
     };
     for (int32_t m : also_used) need(m);
-    for (size_t i = scene.objects.size(); i-- > 0;) {
+    for (size_t i = end; i-- > 0;) {
         if (scene::is_surface(scene.objects[i].type)) {
-            need(scene.objects[i].modifier);
+            if (i >= begin) need(scene.objects[i].modifier);
         } else if (needed[i]) {
             const auto r = scene.resolve(int32_t(i));
             need(r.modifier);

@@ -13,7 +13,8 @@ constexpr int wgmd_names[3] = {0, 4, 8};  // strings of WGMDfunc that name modif
 bool has_alternate(const scene::Scene& scene, const scene::Object& o);
 // Modifiers that the string arguments of an object name, besides its chain.
 std::vector<int32_t> named_modifiers(const scene::Scene& scene, uint32_t object);
-// By object: used by a surface or by also_used.
-std::vector<uint8_t> needed_modifiers(const scene::Scene& scene, const std::vector<int32_t>& also_used);
+// By object: used by a surface among objects begin to end - 1, or by also_used.
+std::vector<uint8_t> needed_modifiers(const scene::Scene& scene, size_t begin, size_t end,
+                                      const std::vector<int32_t>& also_used);
 
 }  // namespace flatten

@@ -113,8 +113,9 @@ void add_distant_sources(const Modifiers& modifiers, FlatScene& out, Sources& so
 
 // Sources are chosen by their mean power.  A pattern may hide more than these few samples show, so a source keeps at
 // least a hundredth of the bare material's power.
-void weigh_patterns(const FlatScene& out, Sources& sources) {
-    for (Source& q : sources.records) {
+void weigh_patterns(const FlatScene& out, Sources& sources, size_t first) {
+    for (size_t i = first; i < sources.records.size(); i++) {
+        Source& q = sources.records[i];
         const Modifier& m = out.modifiers[q.mod];
         if (m.type >= M_FIRST_MATERIAL && m.next == NONE) continue;
         q.power = std::max(float(mean_luminance(out, q)), .01f * q.power);
@@ -127,6 +128,11 @@ void write_sources(Sources sources, FlatScene& out) {
     out.distant = std::move(sources.distant);
     out.source_object = std::move(sources.objects);
     out.distant_object = std::move(sources.distant_objects);
+}
+
+Sources take_sources(FlatScene& out) {
+    return {std::move(out.sources), std::move(out.source_object), std::move(out.fans), std::move(out.distant),
+            std::move(out.distant_object)};
 }
 
 }  // namespace flatten

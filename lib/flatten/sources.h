@@ -31,13 +31,14 @@ void add_local_sources(const Modifiers& modifiers, const std::vector<Lights::Emi
                        Sources& sources);
 // All distant surfaces in order, the active sources among them.
 void add_distant_sources(const Modifiers& modifiers, FlatScene& out, Sources& sources);
-// Sources with patterns are chosen by the power that their mean luminance gives.
-void weigh_patterns(const FlatScene& out, Sources& sources);
+// Sources from this one on that have patterns are chosen by the power that their mean luminance gives.
+void weigh_patterns(const FlatScene& out, Sources& sources, size_t first);
 // Copies of the sources mirrored in the relays, up to `levels` of them (virtual_sources.cpp).
 void add_virtual_sources(const std::vector<Lights::Relay>& relays, int levels, FlatScene& out, Sources& sources);
 // The sources that mists name, to scatter (mists.cpp).
 void link_mists(const Modifiers& modifiers, const std::vector<Lights::Relay>& relays, const Sources& sources,
                 FlatScene& out);
 void write_sources(Sources sources, FlatScene& out);
+Sources take_sources(FlatScene& out);  // back again, for more
 
 }  // namespace flatten

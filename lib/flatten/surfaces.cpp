@@ -35,7 +35,7 @@ Aperture rectangle_about(const std::vector<Vec3>& corners, Vec3 normal, Vec3 cen
 
 class SurfaceWriter {
 public:
-    SurfaceWriter(const scene::Scene& scene, const Modifiers* modifiers, Vec3 centre, FlatScene& out, Lights* lights)
+    SurfaceWriter(const scene::Scene& scene, const Modifiers* modifiers, Vec3 centre, Draft& out, Lights* lights)
         : scene_(scene), modifiers_(modifiers), centre_(centre), out_(out), lights_(lights) {}
 
     void add(const Object& o) {
@@ -235,7 +235,7 @@ private:
     const scene::Scene& scene_;
     const Modifiers* modifiers_;
     const Vec3 centre_;
-    FlatScene& out_;
+    Draft& out_;
     Lights* lights_;
     const std::vector<uint8_t> hidden_ = modifiers_ ? hidden_by_passing(*modifiers_, centre_) : std::vector<uint8_t>();
     const size_t first_vertex_ = out_.vertices.size() / 3;
@@ -244,7 +244,7 @@ private:
 }  // namespace
 
 // The common case: polygons of three or four corners.
-static void make_room_for_polygons(const scene::Scene& scene, FlatScene& out) {
+static void make_room_for_polygons(const scene::Scene& scene, Draft& out) {
     size_t polygons = 0, corners = 0;
     for (const Object& o : scene.objects) {
         if (o.type != Type::polygon || o.real_count > 12) continue;
@@ -254,8 +254,7 @@ static void make_room_for_polygons(const scene::Scene& scene, FlatScene& out) {
     out.make_room(corners, corners - 2 * polygons, polygons);
 }
 
-void flatten_surfaces(const scene::Scene& scene, const Modifiers* modifiers, Vec3 centre, FlatScene& out,
-                      Lights* lights) {
+void flatten_surfaces(const scene::Scene& scene, const Modifiers* modifiers, Vec3 centre, Draft& out, Lights* lights) {
     make_room_for_polygons(scene, out);
     SurfaceWriter writer(scene, modifiers, centre, out, lights);
     for (const Object& o : scene.objects) {

@@ -39,19 +39,21 @@ struct Lights {
 
 // All trees: the scene's own, with the places of its instances, then what these hold.
 // eye: for the origin of the tables (centre_of).
-void flatten_geometry(const Modifiers& modifiers, const Instances& instances, const base::Vec3* eye, FlatScene& out,
+void flatten_geometry(const Modifiers& modifiers, const Instances& instances, const base::Vec3* eye, Draft& out,
                       Lights& lights);
 
 // The surfaces of one scene, its meshes and instances left out, as part of the current tree with the origin `centre`.
 // modifiers: null if those of an instance replace them all.  lights: null inside an instance, where nothing may be a
 // source, a relay or a window.
-void flatten_surfaces(const scene::Scene& scene, const Modifiers* modifiers, base::Vec3 centre, FlatScene& out,
+void flatten_surfaces(const scene::Scene& scene, const Modifiers* modifiers, base::Vec3 centre, Draft& out,
                       Lights* lights);
 
 // A mesh as the current tree.  materials: of an .obj, objects of modifiers->scene by the mesh's own numbers.
 void flatten_mesh(const scene::Mesh& mesh, const Modifiers* modifiers, const std::vector<int32_t>& materials,
-                  base::Vec3 centre, FlatScene& out);
+                  base::Vec3 centre, Draft& out);
 
+// Number of the objects up to the last surface that is not a distant source.
+size_t surfaces_end(const scene::Scene& scene);
 void grow(Box& box, base::Vec3 p);
 // Boxes of the surfaces of a scene, or of a mesh, a sample of them if they are many; `all` grows by each.
 constexpr size_t MOST_BOXES = 65536;

@@ -11,13 +11,13 @@ std::vector<bvh::Input> build_inputs(const FlatScene& s) {
     std::vector<bvh::Input> trees;
     for (const FlatScene::Tree& t : s.trees) {
         bvh::Input in;
-        in.vertices = s.vertices.data() + 3 * t.first_vertex;
+        in.vertices = s.geometry->vertices.data() + 3 * t.first_vertex;
         in.vertex_count = t.vertex_count;
-        in.triangles = s.triangles.data() + 3 * t.first_triangle;
-        in.tri_prim = s.tri_prim.data() + t.first_triangle;
+        in.triangles = s.geometry->triangles.data() + 3 * t.first_triangle;
+        in.tri_prim = s.geometry->tri_prim.data() + t.first_triangle;
         in.triangle_count = t.triangle_count;
         in.shapes = s.shapes.data();
-        in.shape_prim = s.shape_prim.data();
+        in.shape_prim = s.geometry->shape_prim.data();
         in.first_shape = t.first_shape;
         in.shape_count = t.shape_count;
         in.polygon_uv = s.polygon_uv.data();
@@ -34,8 +34,8 @@ std::string hash_of_inputs(const FlatScene& s) {
     base::Hash hash;
     for (const FlatScene::Tree& t : s.trees)
         hash.add({t.first_vertex, t.vertex_count, t.first_triangle, t.triangle_count, t.first_shape, t.shape_count});
-    hash.add_all(s.vertices), hash.add_all(s.triangles), hash.add_all(s.tri_prim);
-    hash.add_all(s.shapes), hash.add_all(s.shape_prim), hash.add_all(s.polygon_uv);
+    hash.add_all(s.geometry->vertices), hash.add_all(s.geometry->triangles), hash.add_all(s.geometry->tri_prim);
+    hash.add_all(s.shapes), hash.add_all(s.geometry->shape_prim), hash.add_all(s.polygon_uv);
     for (const Instance& instance : s.instances) {
         for (const float value : instance.to_tree) hash.add({bits(value)});
         hash.add({instance.tree, instance.forced});

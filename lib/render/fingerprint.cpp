@@ -37,9 +37,7 @@ std::string focus_text(const Focus& focus) {
 #define HASH_TABLE(type, name) hash.add_all(s.name);
 base::Hash hash_of_geometry(const flatten::FlatScene& s) {
     base::Hash hash;
-    for (const flatten::FlatScene::Tree& t : s.trees)
-        hash.add({t.first_vertex, t.vertex_count, t.first_triangle, t.triangle_count, t.first_shape, t.shape_count});
-    hash.add_all(s.vertices), hash.add_all(s.triangles), hash.add_all(s.tri_prim), hash.add_all(s.shape_prim);
+    hash.add_all(s.built.inputs);
     FLAT_TABLES(HASH_TABLE)
     return hash;
 }

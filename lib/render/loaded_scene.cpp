@@ -7,13 +7,54 @@
 #include "sampling/targets.h"
 
 namespace render {
+namespace {
 
-LoadedScene load_scene(const scene::Scene& scene, const RenderOptions& options, const scene::ReadOptions& files) {
-    flatten::FlatScene flat = flatten::flatten(scene, options, files);
-    if (options.sampling != Sampling::plain) sampling::find_targets(flat);
+std::string made_of(const RenderOptions& options, const scene::ReadOptions& files) {
+    base::Hash hash;
+    hash.add_all(options.room_text);
+    hash.add({options.bv, options.any_reflectance, options.compact_tree, options.names});
+    for (const std::string& file : files.cal_files) hash.add_all(file);
+    return hash.text();
+}
+
+LoadedRoom load_room(const scene::Scene& scene, const RenderOptions& options, const scene::ReadOptions& files) {
+    LoadedRoom room;
+    const uint64_t before = base::files_noted_count();
+    room.surfaces = flatten::flatten_room(scene, options, files);
+    room.files = base::files_noted_since(before);
+    room.windows = sampling::find_windows(room.surfaces.tables);
+    room.smooth = sampling::smooth_surfaces(room.surfaces.tables);
+    room.made_of = made_of(options, files);
+    return room;
+}
+
+bool is_same(const LoadedRoom& room, const RenderOptions& options, const scene::ReadOptions& files) {
+    const flatten::FlatScene& flat = room.surfaces.tables;
+    return made_of(options, files) == room.made_of && !options.room_text.empty() &&
+           flatten::centre_of(flat.boxes, options.eye ? &*options.eye : nullptr) == flat.centre &&
+           base::note_unchanged_files(room.files);
+}
+
+}  // namespace
+
+LoadedScene load_scene(const scene::Scene& scene, const RenderOptions& options, const scene::ReadOptions& files,
+                       const std::shared_ptr<const LoadedRoom>& known) {
     LoadedScene out;
+    flatten::FlatScene flat;
+    const auto light = [&](const LoadedRoom& room, flatten::Room surfaces) {
+        flat = flatten::add_distant(std::move(surfaces), scene, options, files);
+        if (options.sampling != Sampling::plain) sampling::find_targets(flat, room.windows);
+        if (!sampling::suns_of(flat).empty()) out.smooth = room.smooth;
+    };
+    if (known && is_same(*known, options, files)) {
+        light(*known, known->surfaces);
+        if (options.keep_room) out.room = known;
+    } else {
+        LoadedRoom room = load_room(scene, options, files);
+        if (options.keep_room) out.room = std::make_shared<const LoadedRoom>(room);
+        light(room, std::move(room.surfaces));
+    }
     out.geometry = hash_of_geometry(flat);
-    if (!sampling::suns_of(flat).empty()) out.smooth = sampling::smooth_surfaces(flat);
     flat.keep_tables_only();
     out.tables = std::make_shared<const flatten::FlatScene>(std::move(flat));
     return out;

@@ -2,22 +2,37 @@
 // A scene as all stages of rendering take it: its tables, which nothing changes any more.
 #pragma once
 #include <memory>
+#include <string>
+#include <vector>
+#include "base/files_read.h"
 #include "base/hash.h"
-#include "flatten/flat_scene.h"
+#include "flatten/room.h"
 #include "render/options.h"
+#include "sampling/patches.h"
 #include "sampling/smooth_planes.h"
 #include "scene/object.h"
 
 namespace render {
 
-struct LoadedScene {
-    std::shared_ptr<const flatten::FlatScene> tables;
-    base::Hash geometry;              // of the fingerprint
-    sampling::SmoothSurfaces smooth;  // that may mirror its sun, if it has one
+// What scenes have in common that differ in their sky.
+struct LoadedRoom {
+    std::string made_of;  // hash of objects and options
+    std::vector<base::FileNote> files;
+    flatten::Room surfaces;
+    std::vector<sampling::Target> windows;
+    sampling::SmoothSurfaces smooth;
 };
 
-// Flattens a scene and finds where its diffuse directions are to be aimed.  Throws Error (unsupported input with
-// file:line).
-LoadedScene load_scene(const scene::Scene& scene, const RenderOptions& options, const scene::ReadOptions& files);
+struct LoadedScene {
+    std::shared_ptr<const flatten::FlatScene> tables;
+    base::Hash geometry;                     // of the fingerprint
+    sampling::SmoothSurfaces smooth;         // that may mirror its sun, if it has one
+    std::shared_ptr<const LoadedRoom> room;  // with RenderOptions::keep_room
+};
+
+// Flattens a scene and finds where its diffuse directions are to be aimed.  known: the room of another scene, or null;
+// it is taken where it is the same.  Throws Error (unsupported input with file:line).
+LoadedScene load_scene(const scene::Scene& scene, const RenderOptions& options, const scene::ReadOptions& files,
+                       const std::shared_ptr<const LoadedRoom>& known = nullptr);
 
 }  // namespace render

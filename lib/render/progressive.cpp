@@ -117,7 +117,7 @@ Renderer::~Renderer() = default;
 void Renderer::load(const scene::Scene& scene, RenderOptions options, const scene::ReadOptions& files) {
     if (scene_.tables) options.known = scene_.tables->built;
     options.compact_tree = device_->compact_tree();
-    LoadedScene loaded = load_scene(scene, options, files);
+    LoadedScene loaded = load_scene(scene, options, files, scene_.room);
     device_->upload(loaded.tables);
     scene_ = std::move(loaded);
     plan_ = {};

@@ -32,8 +32,11 @@ Setup preview_of(Setup setup) {
     return setup;
 }
 
-Session::Session(std::unique_ptr<Renderer> renderer, std::vector<std::string> files)
-    : renderer_(std::move(renderer)), files_(std::move(files)) {}
+Session::Session(std::unique_ptr<Renderer> renderer, scene::Scene scene, std::vector<std::string> files)
+    : renderer_(std::move(renderer)), files_(std::move(files)) {
+    with_sky_.room = scene::extent_of(scene);
+    with_sky_.scene = std::move(scene);
+}
 
 // Returns true if a change of options changes the scene's tables.
 static bool needs_load(const RenderOptions& a, const RenderOptions& b) {
@@ -41,38 +44,55 @@ static bool needs_load(const RenderOptions& a, const RenderOptions& b) {
            (a.sampling == Sampling::plain) != (b.sampling == Sampling::plain);
 }
 
-// Options of a load.
-static RenderOptions with_eye(const Setup& setup) {
-    RenderOptions options = setup.options;
-    options.eye = setup.view.view.vp;
-    return options;
+static std::string hash_of_surfaces(const scene::Scene& scene) {
+    return scene::hash_of_objects(scene, flatten::surfaces_end(scene)).text();
 }
 
-void Session::load(scene::Scene scene, const std::string& sky, const Setup& setup, bool keep) {
-    renderer_->load(scene, with_eye(setup), setup.reading);
-    history_ = scene.history;
+void Session::load_into_renderer(const WithSky& of, const Setup& setup, const scene::ReadOptions& how) const {
+    RenderOptions options = setup.options;
+    options.eye = setup.view.view.vp;
+    options.room_text = of.room_text;
+    if (!of.room_text.empty() && flatten::surfaces_end(of.scene) > of.room.objects)  // a sky with surfaces
+        options.room_text = hash_of_surfaces(of.scene);
+    options.keep_room = next_ == Next::skies_or_edits;
+    renderer_->load(of.scene, options, how);
+}
+
+void Session::load(const std::string& sky, Setup setup, Next next) {
+    setup.reading.work = std::make_shared<base::WorkBudget>(*setup.reading.work);  // what the rest of the scene left
+    setup.reading.asked_by.clear();                                                // a sky is the command line's
+    scene::Scene& scene = with_sky_.scene;
+    scene::cut(scene, with_sky_.room);
+    next_ = next;
+    if (next == Next::skies_or_edits && with_sky_.room_text.empty()) with_sky_.room_text = hash_of_surfaces(scene);
+    if (!sky.empty()) scene::read_more(scene, {sky}, setup.reading);
     sky_ = sky;
-    scene_ = keep ? std::move(scene) : scene::Scene();
-    scene = scene::Scene();  // the renderer has its own tables
+    history_ = scene.history;
+    may_have_light_ = scene.may_have_light();
+    load_into_renderer(with_sky_, setup, setup.reading);
+    if (next == Next::nothing) scene = scene::Scene();  // the renderer has its own tables
     base::give_back_memory();
     select(setup);
 }
 
 void Session::select(const Setup& setup) {
-    if (!renderer_->is_near(setup.view)) renderer_->load(scene_, with_eye(setup), budget_anew(setup.reading));
+    if (!renderer_->is_near(setup.view)) load_into_renderer(with_sky_, setup, budget_anew(setup.reading));
     renderer_->select_view(setup.view, setup.options);
     setup_ = setup;
 }
 
 // Changes are relative to the files' present state.
-scene::Scene Session::read_again(scene::ReadOptions how) const {
+Session::WithSky Session::read_again(scene::ReadOptions how) const {
     const std::vector<std::string> before = base::forget_files_read();
     base::take_warnings();
     try {
-        scene::Scene scene = scene::read_scene(files_, how);
+        WithSky now;
+        now.scene = scene::read_scene(files_, how);
+        now.room = scene::extent_of(now.scene);
+        now.room_text = hash_of_surfaces(now.scene);
         how.asked_by.clear();  // a sky is named on the command line
-        if (!sky_.empty()) scene::read_more(scene, {sky_}, how);
-        return scene;
+        if (!sky_.empty()) scene::read_more(now.scene, {sky_}, how);
+        return now;
     } catch (...) {
         for (const std::string& path : before) base::note_file_read(path);
         throw;
@@ -83,12 +103,12 @@ bool Session::edit(const Setup& next, bool read) {
     const std::string before = renderer_->fingerprint();
     const scene::ReadOptions how = budget_anew(next.reading);
     if (read) {
-        scene::Scene scene = read_again(how);
-        renderer_->load(scene, with_eye(next), how);
-        history_ = scene.history;
-        scene_ = std::move(scene);
+        WithSky now = read_again(how);
+        load_into_renderer(now, next, how);
+        history_ = now.scene.history;
+        with_sky_ = std::move(now);
     } else if (needs_load(setup_.options, next.options) || setup_.reading.cal_files != next.reading.cal_files) {
-        renderer_->load(scene_, with_eye(next), how);
+        load_into_renderer(with_sky_, next, how);
     }
     select(next);
     return renderer_->fingerprint() != before;

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 #include "render/progressive.h"
-#include "scene/object.h"
+#include "scene/extent.h"
 
 namespace render {
 
@@ -23,10 +23,11 @@ Setup preview_of(Setup setup);
 
 class Session {
 public:
-    // files: those of the scene, as edits may have read them again.
-    Session(std::unique_ptr<Renderer> renderer, std::vector<std::string> files);
-    // Reads the scene from these files, with that sky (a file; empty: none).  keep: edits or other views may follow.
-    void load(scene::Scene scene, const std::string& sky, const Setup& setup, bool keep);
+    // scene: without its sky, as read from these files, which edits read again.
+    Session(std::unique_ptr<Renderer> renderer, scene::Scene scene, std::vector<std::string> files);
+    enum class Next { nothing, views, skies_or_edits };
+    // Loads the scene with this sky (a file; empty: none).  next: what may follow.
+    void load(const std::string& sky, Setup setup, Next next);
     // Selects the view of the calls below.
     void select(const Setup& setup);
     // Applies an edit; read: reads the files, too.  Returns true if the picture changes and begins anew.  Throws Error
@@ -34,17 +35,27 @@ public:
     bool edit(const Setup& next, bool read);
 
     Renderer& renderer() const { return *renderer_; }
-    const scene::Scene& scene() const { return scene_; }  // empty unless kept
+    const scene::Scene& scene() const { return with_sky_.scene; }  // empty unless kept
     const RenderView& view() const { return setup_.view; }
+    bool may_have_light() const { return may_have_light_; }
     const std::vector<std::string>& history() const { return history_; }  // edits of the scene
 
 private:
-    scene::Scene read_again(scene::ReadOptions how) const;
+    // A scene with its sky, and what is known of it without.
+    struct WithSky {
+        scene::Scene scene;
+        scene::Extent room;     // where the sky begins
+        std::string room_text;  // hash of the surfaces before the sky; empty: nothing follows that could use it
+    };
+    WithSky read_again(scene::ReadOptions how) const;
+    void load_into_renderer(const WithSky& with_sky, const Setup& setup, const scene::ReadOptions& how) const;
 
     std::unique_ptr<Renderer> renderer_;
     std::vector<std::string> files_, history_;
     std::string sky_;
-    scene::Scene scene_;  // with its sky
+    WithSky with_sky_;
+    Next next_ = Next::nothing;
+    bool may_have_light_ = true;
     Setup setup_;
 };
 

@@ -85,13 +85,13 @@ private:
     }
 
     Vec3 corner(size_t triangle, int k) const {
-        const size_t vertex = scene_.trees[0].first_vertex + scene_.triangles[3 * triangle + size_t(k)];
-        const float* at = &scene_.vertices[3 * vertex];
+        const size_t vertex = scene_.trees[0].first_vertex + scene_.geometry->triangles[3 * triangle + size_t(k)];
+        const float* at = &scene_.geometry->vertices[3 * vertex];
         return Vec3{at[0], at[1], at[2]} + scene_.centre;
     }
 
     void add(size_t triangle, Vec3 sun) {
-        const uint32_t prim = scene_.tri_prim[triangle] & 0x7fffffffu;
+        const uint32_t prim = scene_.geometry->tri_prim[triangle] & 0x7fffffffu;
         const float* arg = glossy_args(scene_, prim);
         if (arg == nullptr) return;
         Vec3 n = flatten::vec_of(scene_.prims[prim].normal);

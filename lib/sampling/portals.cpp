@@ -35,7 +35,7 @@ struct Rect {
     double area() const { return (hi[0] - lo[0]) * (hi[1] - lo[1]); }
 };
 
-Rect rect_of(const flatten::FlatScene::Pane& p) {
+Rect rect_of(const flatten::Geometry::Pane& p) {
     Rect r;
     r.origin = p.corner;
     r.u = unit(p.edge);
@@ -81,9 +81,9 @@ void largest_first(std::vector<Rect>& rects, size_t most) {
 }
 
 // Panes, those of one window merged.
-std::vector<Rect> windows_of(const std::vector<flatten::FlatScene::Pane>& panes) {
+std::vector<Rect> windows_of(const std::vector<flatten::Geometry::Pane>& panes) {
     std::vector<Rect> rects;
-    for (const flatten::FlatScene::Pane& p : panes) rects.push_back(rect_of(p));
+    for (const flatten::Geometry::Pane& p : panes) rects.push_back(rect_of(p));
     largest_first(rects, MOST_PANES);
     for (bool again = true; again;) {
         again = false;
@@ -167,9 +167,8 @@ kernels::Portal portal_of(const Target& target, Vec3 origin) {
 
 }  // namespace
 
-void find_portals(flatten::FlatScene& scene) {
-    const std::vector<Rect> rects = windows_of(scene.panes);
-    if (rects.empty()) return;
+std::vector<Target> find_windows(const flatten::FlatScene& scene) {
+    const std::vector<Rect> rects = windows_of(scene.geometry->panes);
     const flatten::HostTracer tracer(scene);
     std::mt19937 random(7);
     std::vector<Target> windows;
@@ -180,6 +179,12 @@ void find_portals(flatten::FlatScene& scene) {
         windows.push_back(target_of(r, back > front ? -r.n : r.n));
         if (windows.size() == MOST) break;
     }
+    return windows;
+}
+
+void find_portals(flatten::FlatScene& scene, const std::vector<Target>& windows) {
+    if (windows.empty()) return;
+    const flatten::HostTracer tracer(scene);
     scene.window_count = uint32_t(windows.size());
     std::vector<Target> targets = windows;
     const std::vector<Target> patches = find_patches(scene, tracer, windows, MOST_PATCHES);

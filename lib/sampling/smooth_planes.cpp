@@ -65,8 +65,9 @@ public:
             const double size = double(flatten::from_bits(p.kind >> PRIM_EXTENT_SHIFT << 23));
             add(planes, flatten::vec_of(p.normal), size);
         };
-        for (size_t i = 0; i < tree.triangle_count; i++) see(scene_.tri_prim[tree.first_triangle + i] & IN_TRIANGLE);
-        for (size_t i = 0; i < tree.shape_count; i++) see(scene_.shape_prim[tree.first_shape + i] & IN_TRIANGLE);
+        const flatten::Geometry& geometry = *scene_.geometry;
+        for (size_t i = 0; i < tree.triangle_count; i++) see(geometry.tri_prim[tree.first_triangle + i] & IN_TRIANGLE);
+        for (size_t i = 0; i < tree.shape_count; i++) see(geometry.shape_prim[tree.first_shape + i] & IN_TRIANGLE);
         return planes;
     }
 

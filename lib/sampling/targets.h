@@ -8,9 +8,9 @@
 namespace sampling {
 
 // Appends the records of highlights and portals to the scene's tables.
-inline void find_targets(flatten::FlatScene& scene) {
+inline void find_targets(flatten::FlatScene& scene, const std::vector<Target>& windows) {
     find_highlights(scene);
-    find_portals(scene);
+    find_portals(scene, windows);
 }
 
 }  // namespace sampling

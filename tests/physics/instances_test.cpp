@@ -176,8 +176,8 @@ TEST_CASE("geometry is kept once, whatever stands how often") {
         return sizeof(kernels::Prim) * s.prims.size() + sizeof(kernels::Instance) * s.instances.size() +
                sizeof(kernels::Corner) * s.corners.size() + sizeof(kernels::Shape) * s.shapes.size() +
                sizeof(kernels::Modifier) * s.modifiers.size() +
-               4 * (s.vertices.size() + s.triangles.size() + s.tri_prim.size() + s.shape_prim.size() + s.u.size() +
-                    s.f.size() + s.prim_object.size());
+               4 * (s.geometry->vertices.size() + s.geometry->triangles.size() + s.geometry->tri_prim.size() +
+                    s.geometry->shape_prim.size() + s.u.size() + s.f.size() + s.prim_object.size());
     };
     const auto flat = [&](const std::string& text) { return flatten::flatten(scene_of(white + text), {}, {}); };
     const size_t none = bytes(flat("m sphere s 0 0 4 0 0 0 1\n"));
@@ -215,5 +215,5 @@ TEST_CASE("a scene of nothing but instances far from the origin keeps its digits
                        "g polygon p 0 0 12 5000000 6000000 0 5000001 6000000 0 5000001 6000001 0 5000000 6000001 0\n");
     const flatten::FlatScene s = flatten::flatten(scene_of("void instance i 5 " + in + " -t 1e6 0 0 0 0\n"), {}, {});
     CHECK(length(s.centre - Vec3{6000000.5, 6000000.5, 0}) < 2);
-    for (float v : s.vertices) CHECK(std::abs(v) < 2);
+    for (float v : s.geometry->vertices) CHECK(std::abs(v) < 2);
 }

@@ -49,9 +49,7 @@ TEST_CASE("what no kernel reads is given back, and rays meet the same") {
     const flatten::HostTracer::Found before = found();
     CHECK(before.t > 0);
     flat.keep_tables_only();
-    CHECK(flat.vertices.capacity() == 0);
-    CHECK(flat.triangles.capacity() == 0);
-    CHECK(flat.tri_prim.capacity() == 0);
+    CHECK(flat.geometry == nullptr);
     CHECK(flat.prim_object.capacity() == 0);
     CHECK(found().t == before.t);
     CHECK(found().prim == before.prim);
@@ -67,7 +65,7 @@ TEST_CASE("the tree of another scene serves one of the same surfaces, and no oth
 }
 
 TEST_CASE("who waits for a tree is told how far it is") {
-    flatten::FlatScene flat;
+    flatten::Draft flat;
     const size_t n = 50000;
     flat.trees.push_back({0, 3 * n, 0, n, 0, 0});
     for (size_t k = 0; k < n; k++) {
@@ -79,7 +77,7 @@ TEST_CASE("who waits for a tree is told how far it is") {
     std::vector<double> told;
     flatten::Options options;
     options.tell_tree = [&](double share) { told.push_back(share); };
-    build_trees(flat, options);
+    build_trees(std::move(flat).finished(), options);
     REQUIRE(told.size() > 1);
     CHECK(told.front() < .9);
     for (double share : told) CHECK((share > 0 && share <= 1));

@@ -229,26 +229,26 @@ int render_all(Options options) {
             render_dark(run, sky);
             continue;
         }
-        scene::Scene scene = last ? std::move(without_sky) : without_sky;
         base::Progress progress("ptrace");
         render::Setup setup = setup_of(opt, 0, progress);
-        setup.options.tell_limit = !run.session;
-        setup.reading.work =
-            std::make_shared<base::WorkBudget>(*opt.files.work);  // each sky has what the rest has left
-        setup.reading.asked_by.clear();                           // a sky is the command line's
-        if (!sky.file.empty()) scene::read_more(scene, {sky.file}, setup.reading);
-        const bool is_dark = !run.session && !scene.may_have_light();
+        const bool is_first = !run.session;
+        setup.options.tell_limit = is_first;
         // Files that a scene names are read when it is loaded; so the rule of -M needs a device, too.
-        if (!run.session) {
-            run.session.emplace(start(only_rule ? "cpu" : opt.device), opt.scene_files);
+        if (is_first) {
+            run.session.emplace(start(only_rule ? "cpu" : opt.device), std::move(without_sky), opt.scene_files);
             if (is_live(opt)) run.session->renderer().cancel_when(&run.control.edit_waits());
             run.control.answer_with([&run](const std::string& words) { answer_what(run, words); });
         }
-        const bool keep = is_live(opt) || opt.views.size() > 1 || opt.pixel;
-        run.session->load(std::move(scene), sky.file, setup, keep);
+        using Next = render::Session::Next;
+        const bool more_views = opt.views.size() > 1 || opt.pixel;
+        run.session->load(sky.file, setup,
+                          is_live(opt) || !last ? Next::skies_or_edits
+                          : more_views          ? Next::views
+                                                : Next::nothing);
         if (!opt.rule_for.empty() && last) write_rule(opt);
         if (only_rule) continue;
-        if (is_dark) base::warn("scene", "none of its materials gives light: is the sky missing?");
+        if (is_first && !run.session->may_have_light())
+            base::warn("scene", "none of its materials gives light: is the sky missing?");
         if (opt.pixel) return write_pixel(opt, *run.session), 0;
         if (opt.output.empty() && !opt.one_picture && base::stdout_is_file() && &sky == &skies.front())
             base::warn("stdout",
