@@ -56,6 +56,10 @@ def plastic(name, reflectance):
 
 BLACK = plastic("black", 0)
 PANE = "void glass pane 0 0 3 .9584 .9584 .9584\n"
+# without reflection, and with a transmittance that is the polynomial's
+POLYNOMIAL_PANE = "void brightfunc share 2 if({0},{0},0) . 0 0\nshare glass pane 0 0 4 1 1 1 1\n".format(
+    "+".join("%g*abs(Rdot)^%d" % (c, k) for k, c in enumerate(POLYNOMIAL)).replace("+-", "-")
+)
 GROUND_TEXT = "void glow ground_glow 0 0 4 {0} {0} {0} 0\nground_glow source ground 0 0 4 0 0 -1 180\n".format(GROUND)
 
 
@@ -80,7 +84,8 @@ def sun(altitude, irradiance_at_normal=1.0):
 
 
 class Case:
-    """by: fisheye (Ev along the normal), plate (16 pixels of a spot of reflectance .5) or faces (mean over faces)."""
+    """by: fisheye (Ev along the normal), plate (16 pixels of a spot of reflectance .5), sensors (ptrace -points), or
+    faces (sum over views of mean times area).  files: what the scene reads, by name."""
 
     def __init__(
         self,
@@ -94,7 +99,10 @@ class Case:
         unit=1.0,
         options="-ab 1",
         name="% of E_hz",
+        files=(),
+        views=(),
     ):
+        self.files, self.views = dict(files), views
         self.number, self.about, self.scene, self.sensors, self.by = number, about, scene, sensors, by
         self.reference, self.skies, self.options, self.name = reference, skies, options, name
         self.unit = 100 / 179 if skies else unit  # skies have 1 W/m2, 179 lx
@@ -104,7 +112,13 @@ def percent(values):
     return [100 * v for v in values]
 
 
-def roof(size, tau, glazed):
+def glazing(tau):
+    """Words for the opening, letter of the case's name, material."""
+    return {bare: ("bare", "", ""), glass: ("pane of glass", "", PANE), polynomial: (
+        "transmittance by Tregenza's polynomial", " p", POLYNOMIAL_PANE)}[tau]
+
+
+def roof(size, tau):
     lo, hi = 2 - size / 2, 2 + size / 2
 
     def reference(point, normal, per):
@@ -112,15 +126,16 @@ def roof(size, tau, glazed):
         return percent(rectangle(point, normal, 2, 3, (lo, hi), (lo, hi), sky_light(tau), (), (y,), per))
 
     scene = BLACK + room("ceiling") + holed("black", "roof", 2, 3, (0, 4), (0, 4), (lo, hi), (lo, hi))
-    if glazed:
-        scene += PANE + flat("pane", "glazing", 2, 3, (lo, hi), (lo, hi))
+    words, letter, material = glazing(tau)
+    if material:
+        scene += material + flat("pane", "glazing", 2, 3, (lo, hi), (lo, hi))
     sensors = {**wall(4, SOUTH), **line(0, UP, "GHIJKLMN", 3.75, -0.5)}
-    number = "%s, %dx%d" % ("5.10" if glazed else "5.9", size, size)
-    about = "roof opening %d x %d m, %s; sky through it" % (size, size, "pane of glass" if glazed else "bare")
+    number = "%s, %dx%d%s" % ("5.10" if material else "5.9", size, size, letter)
+    about = "roof opening %d x %d m, %s; sky through it" % (size, size, words)
     return Case(number, about, scene, sensors, reference, skies=True)
 
 
-def facade(width, height, tau, glazed):
+def facade(width, height, tau):
     x, z = (2 - width / 2, 2 + width / 2), ((1, 2) if height == 1 else (0, 3))
 
     def reference(point, normal, per):
@@ -128,19 +143,16 @@ def facade(width, height, tau, glazed):
         return percent(rectangle(point, normal, 1, 0, x, z, sky_light(tau), (), (at_sun,), per))
 
     scene = BLACK + room("south") + holed("black", "front", 1, 0, (0, 4), (0, 3), x, z) + GROUND_TEXT
-    if glazed:
-        scene += PANE + flat("pane", "glazing", 1, 0, x, z)
+    words, letter, material = glazing(tau)
+    if material:
+        scene += material + flat("pane", "glazing", 1, 0, x, z)
     sensors = {
         **wall(4, SOUTH),
         **line(0, UP, "GHIJKLMN", 3.75, -0.5),
         **line(3, DOWN, [n + "'" for n in "GHIJKLMN"], 3.75, -0.5),
     }
-    number = "%s, %dx%d" % ("5.12" if glazed else "5.11", width, height)
-    about = "south window %d x %d m, %s; sky and a ground of reflectance .3 at infinity" % (
-        width,
-        height,
-        "pane of glass" if glazed else "bare",
-    )
+    number = "%s, %dx%d%s" % ("5.12" if material else "5.11", width, height, letter)
+    about = "south window %d x %d m, %s; sky and a ground of reflectance .3 at infinity" % (width, height, words)
     return Case(number, about, scene, sensors, reference, skies=True)
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Cases under lamps, the sun and between diffuse surfaces; CASES is the list of all."""
+"""Cases under lamps and the sun."""
 
 from cases import *
 
@@ -44,6 +44,48 @@ def lamp_over_floor(kind):
         by="plate",
         options="-ab 0",
         name="lx",
+    )
+
+
+POLAR = (0, 15, 30, 45, 60)  # degrees from the nadir
+AROUND = tuple(range(0, 361, 40))  # degrees from x to y
+CANDELA = [[round(800 + 3 * p * math.cos(math.radians(a - 50)) - 0.1 * p * p) for a in AROUND] for p in POLAR]
+# from the lamp to the point, against the ray
+CANDELA_CAL = """{ nadir angle and azimuth of the way from the lamp }
+value(v) = v;
+polar = Acos(Dz) * 180/PI;
+around = if(atan2(-Dy,-Dx), atan2(-Dy,-Dx), atan2(-Dy,-Dx) + 2*PI) * 180/PI;
+"""
+
+
+def candela(x, y):
+    """Intensity toward a point of the floor 3 m below, bilinear in the table."""
+    polar, around = math.degrees(math.atan2(math.hypot(x, y), 3)), math.degrees(math.atan2(y, x)) % 360
+    i, j = min(int(polar / 15), 3), min(int(around / 40), 8)
+    u, v = polar / 15 - i, around / 40 - j
+    rows = [CANDELA[i + k][j] * (1 - v) + CANDELA[i + k][j + 1] * v for k in (0, 1)]
+    return rows[0] * (1 - u) + rows[1] * u
+
+
+def asymmetric():
+    """A lamp of 5 x 10 angles, of ours: the report's is not at hand."""
+    size = 0.001
+    text = "2\n0 60 5\n0 360 10\n" + "\n".join(" ".join("%d" % c for c in row) for row in CANDELA) + "\n"
+    scene = "void brightdata table 5 value lamp.dat lamp.cal polar around 0 0\n"
+    scene += "table light lamp_light 0 0 3 {0:.9g} {0:.9g} {0:.9g}\n".format(1 / (pi * size**2) / WHITE_EFFICACY)
+    scene += "lamp_light sphere lamp 0 0 4 0 0 3 %g\n" % size
+    scene += plastic("plate", 0.5) + flat("plate", "floor", 2, 0, (-2, 2), (-2, 2))
+    points = {"A": (0.3, 0.2), "B": (1.5, 0.2), "C": (0.4, 1.7), "D": (-1.1, 1.3), "E": (-1.6, -0.4), "F": (0.9, -1.5)}
+    return Case(
+        "5.2, asymmetric",
+        "lamp of a table of 5 x 10 intensities 3 m over a floor",
+        scene,
+        {n: ((x, y, 0), UP) for n, (x, y) in points.items()},
+        lambda p, n, per: [candela(p[0], p[1]) * 3 / (p[0] ** 2 + p[1] ** 2 + 9) ** 1.5],
+        by="plate",
+        options="-ab 0",
+        name="lx",
+        files={"lamp.dat": text, "lamp.cal": CANDELA_CAL},
     )
 
 
@@ -157,27 +199,6 @@ def obstruction():
     )
 
 
-def cube(reflectance):
-    scene = plastic("grey", reflectance) + "!genbox grey cube 4 4 4 -i\n"
-    level = 10000 / (4 * pi) / (pi * 0.002**2) / WHITE_EFFICACY
-    scene += "void light lamp_light 0 0 3 {0:.9g} {0:.9g} {0:.9g}\nlamp_light sphere lamp 0 0 4 2 2 2 .002\n".format(
-        level
-    )
-    # conservation: what the faces absorb, 96 (1 - rho) E, is what the lamp emits; the lamp itself takes light away:
-    # 4 pi r^2
-    return Case(
-        "5.8, rho %g" % reflectance,
-        "a cube of 4 m, lamp of 10,000 lm in its middle; mean of its faces",
-        scene,
-        {"floor": ((2, 2, 0), UP)},
-        lambda p, n, per: [10000 / (96 * (1 - reflectance))],
-        by="faces",
-        options="",
-        unit=1 / reflectance,
-        name="lx",
-    )
-
-
 def patch():
     scene = sun(60) + plastic("plate", 0.5) + room("ceiling", material="plate")
     scene += holed("plate", "roof", 2, 3, (0, 4), (0, 4), (1.5, 2.5), (1.5, 2.5))
@@ -202,6 +223,25 @@ def patch():
     )
 
 
+def clock():
+    """A day whose declination is 0 (22 March of a year that is not said), in solar time: the sun's place in closed form.
+    Sensors face up, east and south."""
+    latitude, hour = math.radians(52), math.radians(15 * (9 - 12))
+    way = (-math.sin(hour), -math.cos(hour) * math.sin(latitude), math.cos(hour) * math.cos(latitude))
+    normal_irradiance = 100 / WHITE_EFFICACY
+    scene = "!genciesky 5 3 22 +9 -a 52 -B 0 -R %.9g\n" % (normal_irradiance * way[2])
+    return Case(
+        "6, sun by the clock",
+        "the sun at 9 h of solar time at an equinox, 52 degrees north",
+        scene,
+        {"up": ((0, 0, 0), UP), "east": ((0, 0, 0), (1, 0, 0)), "south": ((0, 0, 0), SOUTH)},
+        lambda p, n, per: [100 * sum(a * b for a, b in zip(way, n))],
+        by="sensors",
+        options="-ab 0",
+        name="% of E_n",
+    )
+
+
 def closed():
     scene = (
         sun(60, 1e5)
@@ -217,34 +257,3 @@ def closed():
         options="-ab 4",
         name="lx",
     )
-
-
-CASES = [
-    lamp_over_floor("Lambert"),
-    lamp_over_floor("isotropic"),
-    area(0),
-    area(1),
-    *pane(),
-    factor(0.5),
-    factor(4),
-    factor(500),
-    obstruction(),
-    *(cube(r) for r in (0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.95)),
-    roof(1, bare, False),
-    roof(4, bare, False),
-    roof(1, glass, True),
-    roof(4, glass, True),
-    facade(2, 1, bare, False),
-    facade(4, 3, bare, False),
-    facade(2, 1, glass, True),
-    facade(4, 3, glass, True),
-    eaves(0.5),
-    eaves(1),
-    eaves(2),
-    opposite(3),
-    opposite(6),
-    opposite(9),
-    patch(),
-    area(0, True),
-    closed(),
-]

@@ -6,7 +6,7 @@ quadrature has twice the cells along each axis."""
 
 import sys
 
-from lamps import CASES
+from variants import CASES
 
 
 def rows(cases=CASES, per=3.0, refine=True):

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """run.py: luxpipe's value with its 95 % interval beside each derived value, and a verdict, as a table.
 
--only 5.9,5.13: cases whose number begins so; -points AGN, -skies 1,5: only these; -size, -frames, -seed: the pictures.
+-only 5.9 '5.8, sphere', -not 5.4: cases whose name begins so; -points AGN, -skies 1 5: only these; -size, -frames, -seed:
+the pictures; -stop ends with the first value that is wrong.
 """
 
 import argparse
@@ -14,7 +15,7 @@ import sys
 import tempfile
 import time
 
-from lamps import CASES, pi
+from variants import CASES, pi
 
 T95 = {7: 2.365, 15: 2.131}  # Student's t, two-sided, by degrees of freedom
 REFERENCE_ERROR = 1e-4
@@ -47,6 +48,16 @@ def up_for(normal):
     return (0, 0, 1) if normal[2] == 0 else (0, 1, 0)
 
 
+def write_skies(folder, skies):
+    for sky in skies:
+        write(
+            folder,
+            "s%s.rad" % sky,
+            "!genciesky %s -ang 60 0 -B 1\nskyfunc glow sky_glow 0 0 4 1 1 1 0\n"
+            "sky_glow source sky 0 0 4 0 0 1 180\n" % sky,
+        )
+
+
 def fisheyes(o, case, sensors, skies, folder):
     """Ev with -ci of each view and sky: (point, sky) -> value, low, high."""
     # ten micrometres off the wall: closer than a micrometre a ray at the rim of the picture would not meet it
@@ -56,13 +67,6 @@ def fisheyes(o, case, sensors, skies, folder):
         for p, n in sensors.values()
     ]
     write(folder, "all.vf", "\n".join(views) + "\n")
-    for sky in skies:
-        write(
-            folder,
-            "s%s.rad" % sky,
-            "!genciesky %s -ang 60 0 -B 1\nskyfunc glow sky_glow 0 0 4 1 1 1 0\n"
-            "sky_glow source sky 0 0 4 0 0 1 180\n" % sky,
-        )
     which = " ".join("-sky s%s.rad" % sky for sky in skies) if case.skies else ""
     out = shell(
         o.bin,
@@ -115,24 +119,48 @@ def plates(o, case, sensors, _skies, folder):
 
 def faces(o, case, sensors, _skies, folder):
     size = max(16, o.size // 4)
-    view = "-vtl -vh 4 -vv 4 -x %d -y %d -vp 2 2 1 -vd 0 0 -1 -vu 0 1 0" % (size, size)
-    factor = 179 * pi * case.unit
-    means = []
+    sums = []
     for k in range(8):
-        one = pixels(o, folder, view, o.seed + k, case.options)
-        means.append(math.fsum(one) / len(one) * factor)
-    return {(name, "-"): interval(means) for name in sensors}
+        total = 0.0
+        for view, area in case.views:
+            one = pixels(o, folder, "%s -x %d -y %d -pa 0" % (view, size, size), o.seed + k, case.options)
+            total += math.fsum(one) / len(one) * area
+        sums.append(179 * pi * case.unit * total)
+    return {(name, "-"): interval(sums) for name in sensors}
 
 
-WAYS = {"fisheye": fisheyes, "plate": plates, "faces": faces}
+def sensors_of_grid(o, case, sensors, skies, folder):
+    """E and its interval of each point, frames in proportion to what a picture's cost."""
+    write(folder, "p.pts", "".join("%s %s\n" % (numbers(p), numbers(n)) for p, n in sensors.values()))
+    found = {}
+    for sky in skies:
+        out = shell(
+            o.bin,
+            folder,
+            "ptrace -points p.pts %s -frames %d -seed %d scene.rad %s 2> /dev/null | ptaccum | "
+            "vcmetrics -each -ci 95 -points p.pts"
+            % (case.options, 4 * o.frames - 3, o.seed, "s%s.rad" % sky if case.skies else ""),
+        ).decode()
+        lines = [text.split("\t") for text in out.splitlines()]
+        for name, row in zip(sensors, lines[1:]):
+            found[name, str(sky)] = [float(dict(zip(lines[0], row))[k]) * case.unit for k in ("E", "lo", "hi")]
+    return found
+
+
+WAYS = {"fisheye": fisheyes, "plate": plates, "faces": faces, "sensors": sensors_of_grid}
 
 
 def run(o, case):
     """Rows of one case: point, sky, derived, value, low, high, standard errors away, verdict."""
     sensors = {n: s for n, s in case.sensors.items() if not o.points or n[0] in o.points or len(n) > 2}
-    skies = [k for k in range(1, 17) if not o.skies or str(k) in o.skies.split(",")] if case.skies else ["-"]
+    skies = [k for k in range(1, 17) if not o.skies or k in o.skies] if case.skies else ["-"]
+    if not sensors:
+        return
     with tempfile.TemporaryDirectory() as folder:
-        write(folder, "scene.rad", case.scene)
+        for name, text in {"scene.rad": case.scene, **case.files}.items():
+            write(folder, name, text)
+        if case.skies:
+            write_skies(folder, skies)
         found = WAYS[case.by](o, case, sensors, skies, folder)
     for name, (point, normal) in sensors.items():
         derived = case.reference(point, normal, o.cells)
@@ -150,15 +178,17 @@ def options():
     p = argparse.ArgumentParser(description=__doc__)
     for name, default, kind in (
         ("bin", "build/bin", str),
-        ("only", "", str),
         ("points", "", str),
-        ("skies", "", str),
         ("size", 128, int),
         ("frames", 17, int),
         ("seed", 1, int),
         ("cells", 4.0, float),
     ):
         p.add_argument("-" + name, default=default, type=kind)
+    p.add_argument("-only", nargs="+", default=[""])
+    p.add_argument("-not", nargs="+", default=[], dest="without")
+    p.add_argument("-skies", nargs="+", default=[], type=int)
+    p.add_argument("-stop", action="store_true")
     return p.parse_args()
 
 
@@ -169,12 +199,12 @@ def main():
     print("# commit\t%s" % (git.stdout.decode().strip() or "unknown"))
     print(
         "# command\tpython3 studies/cie171/run.py "
-        + " ".join(a for k, a in enumerate(sys.argv[1:], 1) if a != "-bin" and sys.argv[k - 1] != "-bin")
+        + " ".join("'%s'" % a if " " in a else a for k, a in enumerate(sys.argv[1:], 1) if a != "-bin" and sys.argv[k - 1] != "-bin")
     )
     print("case\tpoint\tsky\tderived\tvalue\tlow\thigh\terrors\tverdict\tseconds", flush=True)
     wrong = 0
     for case in CASES:
-        if o.only and not any(case.number.startswith(a) for a in o.only.split(",")):
+        if not case.number.startswith(tuple(o.only)) or case.number.startswith(tuple(o.without)):
             continue
         start = time.time()
         rows = list(run(o, case))
@@ -186,6 +216,8 @@ def main():
                 % (case.number, name, sky, true, value, low, high, z, verdict, seconds),
                 flush=True,
             )
+            if wrong and o.stop:
+                sys.exit(1)
     sys.exit(1 if wrong else 0)
 
 

@@ -110,6 +110,15 @@ normal."""
     return total
 
 
+# Tregenza's polynomial of clear glass of 6 mm, by powers of the cosine, as quoted in public (discourse.radiance-online.org,
+# thread 1053: the report's own formula)
+POLYNOMIAL = (-0.028378, 3.156075, -3.058376, -1.428919, 4.014235, -1.775827)
+
+
+def polynomial(cosine):
+    return max(0.0, sum(c * cosine**k for k, c in enumerate(POLYNOMIAL)))
+
+
 def bare(_cosine):
     return 1.0
 
