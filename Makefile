@@ -91,7 +91,8 @@ coverage-sensors: all ## the same of grids of sensors: SCENES="1070-1075" SEEDS=
 year: all ## the office's year, Mondays at four desks: out/year/report.html (WEATHER=site.epw HOURS='Mo-Fr 8-18')
 	@$(MAKE) -C studies/year -j $(JOBS) BIN="$(abspath $(BUILD))/bin"
 
-certificate: all ## docs/certificate.md: CIE 171 measured again if lib is newer (SIZE=128 FRAMES=17)
+certificate: all ## docs/certificate.md: what is older than lib is measured again (SIZE=128 FRAMES=17)
+	@cmake --build "$(BUILD)" -j $(JOBS) --target blocks trace_rays bits_test
 	@BIN="$(BUILD)/bin" bash studies/certificate/make.sh $(or $(SIZE),128) $(or $(FRAMES),17)
 
 compare-radiance: all ## N=100 random scenes from SEED=1 on, by ptrace and by rtrace (where RADIANCE is)
@@ -133,5 +134,5 @@ setup:
 	@[ "$(SETUP)" = no ] || $(ISPC)
 
 .PHONY: help all everything demo live test test-gpu test-slurm test-deb test-sanitize fuzz deb wheel test-wheel \
-	bench coverage coverage-sensors compare-radiance compare-evalglare \
+	certificate bench coverage coverage-sensors compare-radiance compare-evalglare \
 	man site format lint install uninstall clean setup

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""measure.py -bin FOLDER: the second half of the certificate: other programs, intervals, devices.  Runs each command and
-writes studies/certificate/measured.tsv: what was tried how often, how often it held, seconds, date, commit, command.
-A row that cannot be measured here (no RADIANCE on PATH) stays as it was; so does one that was measured since lib changed
-last, unless -all is given."""
+"""measure.py -bin FOLDER: the second half of the certificate: other programs, intervals, devices.  Runs each command
+and writes studies/certificate/measured.tsv: what was tried how often, how often it held, seconds, date, commit.
+A row that cannot be measured here (no RADIANCE on PATH) stays as it was; so does one that was measured since lib
+changed last, unless -all is given."""
 
 import argparse
 import os
@@ -25,6 +25,10 @@ COVERAGE = (
 )
 SENSORS = "python3 -B studies/coverage/sensors.py -bin $BIN -out $OUT/sensors -scenes 2000 -seeds 16 -points 60 -jobs 2"
 RTRACE = "python3 tests/compare/radiance/compare.py -n 60 --seed 5001 --tracer $BIN/trace_rays --out $OUT/rtrace"
+SEEDS = (
+    "for s in $(seq 25); do python3 -B studies/cie171/run.py -bin $BIN -only '5.9, 1x1' '5.10, 1x1' '5.11, 2x1' "
+    "-not '5.10, 1x1, s' -points AGN -skies 5 -size 64 -cells 2 -frames 17 -seed $s; done"
+)
 SIXTEEN = r"(?m)^%s(?:\t[^\t]*){6}\t(?P<percent>[\d.]+) "  # percent at the look of 17 frames
 
 # what, counted in, least percent that holds, command, words of its output: of tries, held or missed; percent, of which
@@ -72,6 +76,14 @@ PARTS = [
             48,
         )
         for metric in ("Ev", "Lavg", "DGP", "desk.TAL", "pair.CR")
+    ),
+    (
+        "95 % intervals of CIE 171's values: A, G, N of 5.9 to 5.11 under sky 5, 25 seeds, 17 frames of 64 x 64",
+        "tries",
+        93,
+        SEEDS,
+        r"(?m)\t(?P<held>inside)\t|\t(?P<missed>outside|wrong)\t",
+        0,
     ),
     (
         "95 % intervals of sensors: 60 points of a room, 16 seeds, 64 frames",
@@ -141,8 +153,8 @@ def main():
                 text, seconds = output[command]
                 found = counts(text, pattern, tries)
                 if found:
-                    values = [what, of, *found, "%g" % least, "%.0f" % seconds, time.strftime("%Y-%m-%d", time.gmtime()),
-                              git("log", "-1", "--format=%h"), command]
+                    today, commit = time.strftime("%Y-%m-%d", time.gmtime()), git("log", "-1", "--format=%h")
+                    values = [what, of, *found, "%g" % least, "%.0f" % seconds, today, commit, command]
                     row = dict(zip(COLUMNS, map(str, values)))
                 else:
                     print("measure.py: not measured here: %s: %s" % (what, text.strip()[-200:]), file=sys.stderr)

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""mutations.py: faults put into the programs one at a time, and the first value of CIE 171 that finds each: further than
-5 standard errors from the derived one.  Works in a tree of its own (out/mutations), without lanes, by ccache where it is:
-one build has all faults, each of which asks whether it is the one that the environment names.  Prints the table
+"""mutations.py: faults put into the programs one at a time, and the first value of CIE 171 that finds each: further
+than 5 standard errors from the derived one.  Works in a tree of its own (out/mutations), without lanes, by ccache where
+it is: one build has all faults, each of which asks whether it is the one that the environment names.  Prints the table
 studies/certificate/mutations.tsv.
 
 -only 3,7: these faults; 0 is none of them, which must have no wrong value."""
@@ -81,7 +81,8 @@ FAULTS = [
         "direct light at the last bounce counts twice",
         "lib/kernels/integrator/direct.h",
         "radiance = scale3(radiance, inv_p);",
-        "radiance = scale3(radiance, ON && (int)path_bounces(vertex->flags) == MAX_(par->ab, 1) ? 2.0f * inv_p : inv_p);",
+        "int last = (int)path_bounces(vertex->flags) == MAX_(par->ab, 1);\n"
+        "    radiance = scale3(radiance, ON && last ? 2.0f * inv_p : inv_p);",
     ),
     (
         "luminous weights of red and blue are swapped",

@@ -224,7 +224,7 @@ def patch():
 
 
 def clock():
-    """A day whose declination is 0 (22 March of a year that is not said), in solar time: the sun's place in closed form.
+    """A day whose declination is 0 (22 March, no year given), in solar time: the sun's place in closed form.
     Sensors face up, east and south."""
     latitude, hour = math.radians(52), math.radians(15 * (9 - 12))
     way = (-math.sin(hour), -math.cos(hour) * math.sin(latitude), math.cos(hour) * math.cos(latitude))

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """run.py: luxpipe's value with its 95 % interval beside each derived value, and a verdict, as a table.
 
--only 5.9 '5.8, sphere', -not 5.4: cases whose name begins so; -points AGN, -skies 1 5: only these; -size, -frames, -seed:
-the pictures; -stop ends with the first value that is wrong.
+-only 5.9 '5.8, sphere', -not 5.4: cases whose name begins so; -points AGN, -skies 1 5: only these; -size, -frames,
+-seed: the pictures; -stop ends with the first value that is wrong.
 """
 
 import argparse
@@ -199,7 +199,11 @@ def main():
     print("# commit\t%s" % (git.stdout.decode().strip() or "unknown"))
     print(
         "# command\tpython3 studies/cie171/run.py "
-        + " ".join("'%s'" % a if " " in a else a for k, a in enumerate(sys.argv[1:], 1) if a != "-bin" and sys.argv[k - 1] != "-bin")
+        + " ".join(
+            "'%s'" % a if " " in a else a
+            for k, a in enumerate(sys.argv[1:], 1)
+            if a != "-bin" and sys.argv[k - 1] != "-bin"
+        )
     )
     print("case\tpoint\tsky\tderived\tvalue\tlow\thigh\terrors\tverdict\tseconds", flush=True)
     wrong = 0

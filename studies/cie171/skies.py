@@ -110,8 +110,8 @@ normal."""
     return total
 
 
-# Tregenza's polynomial of clear glass of 6 mm, by powers of the cosine, as quoted in public (discourse.radiance-online.org,
-# thread 1053: the report's own formula)
+# Tregenza's polynomial of clear glass of 6 mm, by powers of the cosine, as quoted in public as the report's own formula
+# (discourse.radiance-online.org, thread 1053)
 POLYNOMIAL = (-0.028378, 3.156075, -3.058376, -1.428919, 4.014235, -1.775827)
 
 
