@@ -158,7 +158,7 @@ def main():
         mutate(tree, number, path, old, new)
     must(["cmake", "--build", build, "-j", o.jobs, "--target", "ptrace", "ptaccum", "vcmetrics"])
     print("# date\t%s" % time.strftime("%Y-%m-%d", time.gmtime()))
-    print("# commit\t%s" % must(["git", "-C", TOP, "log", "-1", "--format=%h"]).strip())
+    print("# commit\t%s" % must(["git", "-C", TOP, "log", "-1", "--format=%h", "--", "lib"]).strip())
     print("# command\tpython3 studies/certificate/mutations.py")
     print("# values\tpython3 studies/cie171/run.py %s" % COMMAND.replace("5.8,_rho", "'5.8, rho'"))
     print("fault\tfile\tcase\tpoint\tsky\tderived\tvalue\terrors\tvalues\tseconds", flush=True)

@@ -73,7 +73,8 @@ def cie_part():
         "`studies/cie171` (the quadrature moves by at most %.0e when its cells are halved), then measured.  A value "
         "is *inside* if its 95 %% interval, widened by .0001 of the value for the derivation, holds the derived one, "
         "and *wrong* if it is more than 5 standard errors away.  Behind a case stands *sensors* where it was measured "
-        "by `ptrace -points`, *mesh* where a lamp or a lit square is a mesh, *p* where Tregenza's polynomial is the pane."
+        "by `ptrace -points`, *mesh* where a lamp or a lit square is a mesh, *p* where the pane has Tregenza's "
+        "polynomial."
         % (len(cases), len(rows), max(float(r["moved"]) for r in derived)),
         "",
         "`%s`, %s, commit %s: one try, %.0f seconds." % (facts["command"], facts["date"], facts["commit"], seconds),
@@ -166,7 +167,8 @@ def measured_part():
     return [
         "## Other programs, intervals, devices",
         "",
-        "Numbers of tries, and how many of them held.  *Misses* marks a row below its bound.",
+        "Numbers of tries, and how many of them held.  *Misses* marks a row below its bound.  A commit is the last one of "
+        "`lib` before the measurement.",
         "",
         *markdown_table(
             ["what", "tries", "held", "%", "bound, %", "", "seconds", "date", "commit"],
