@@ -153,7 +153,8 @@ def main():
                 text, seconds = output[command]
                 found = counts(text, pattern, tries)
                 if found:
-                    today, commit = time.strftime("%Y-%m-%d", time.gmtime()), git("log", "-1", "--format=%h", "--", "lib")
+                    today = time.strftime("%Y-%m-%d", time.gmtime())
+                    commit = git("log", "-1", "--format=%h", "--", "lib")
                     values = [what, of, *found, "%g" % least, "%.0f" % seconds, today, commit, command]
                     row = dict(zip(COLUMNS, map(str, values)))
                 else:

@@ -167,8 +167,8 @@ def measured_part():
     return [
         "## Other programs, intervals, devices",
         "",
-        "Numbers of tries, and how many of them held.  *Misses* marks a row below its bound.  A commit is the last one of "
-        "`lib` before the measurement.",
+        "Numbers of tries, and how many of them held.  *Misses* marks a row below its bound.  A commit is the last one "
+        "of `lib` before the measurement.",
         "",
         *markdown_table(
             ["what", "tries", "held", "%", "bound, %", "", "seconds", "date", "commit"],

@@ -194,7 +194,8 @@ def options():
 
 def main():
     o = options()
-    git = subprocess.run(["git", "log", "-1", "--format=%h", "--", "lib"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
+    words = ["git", "log", "-1", "--format=%h", "--", "lib"]
+    git = subprocess.run(words, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
     print("# date\t%s" % time.strftime("%Y-%m-%d", time.gmtime()))
     print("# commit\t%s" % (git.stdout.decode().strip() or "unknown"))
     print(
