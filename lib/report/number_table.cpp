@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <map>
+#include <set>
 #include <sstream>
 #include "base/error.h"
 
@@ -41,7 +42,8 @@ const std::map<std::string, std::string> evalglare_names = {{"dgp", "DGP"},
 
 // Columns that tell rows apart; "seconds" tells nothing.
 bool is_label(const std::string& name) {
-    return name == "file" || name == "view" || name == "sky" || name == "edit" || name == "frame" || name == "source";
+    static const std::set<std::string> labels{"file", "view", "sky", "edit", "frame", "source", "grid", "point"};
+    return labels.count(name) > 0;
 }
 
 bool is_metric(const std::string& name) {
@@ -69,26 +71,24 @@ std::vector<std::string> split_cells(const std::string& line, char by) {
 
 class TableReader {
 public:
-    explicit TableReader(const std::string& path) : in_(path, std::ios::binary) {
+    TableReader(const std::string& path, const RowUse& use) : in_(path, std::ios::binary), use_(use) {
         if (!in_) base::fail_system(path, "cannot be read");
         table_.name = path;
     }
-    std::optional<NumberTable> read() {
-        if (in_.peek() == 0x76) return std::nullopt;  // OpenEXR
+    bool read() {
+        if (in_.peek() == 0x76) return false;  // OpenEXR
         std::string line;
         for (long n = 1; next_line(line); ++n) {
             place_ = table_.name + ":" + std::to_string(n);
-            if (n > most_lines) base::fail(place_, "a table of more than ten million lines");
-            if (line.compare(0, 2, "#?") == 0 || line.find('\0') != std::string::npos) return std::nullopt;
+            if (line.compare(0, 2, "#?") == 0 || line.find('\0') != std::string::npos) return false;
             if (!line.empty() && line[0] != '#') take(line);
         }
-        if (table_.rows.empty()) base::fail(table_.name, "holds no line of metrics");
-        return std::move(table_);
+        if (rows_ == 0) base::fail(table_.name, "holds no line of metrics");
+        return true;
     }
 
 private:
     static constexpr size_t longest_line = 1 << 20;
-    static constexpr long most_lines = 10000000;
 
     // As std::getline, but of a file without end (/dev/zero) it takes no more than a line may have.
     bool next_line(std::string& line) {
@@ -135,7 +135,7 @@ private:
             if (is_metric(header_[k])) row.push_back(number(cells[k], place_));
             if (is_label(header_[k])) label.push_back(name_in_folder(cells[k]));
         }
-        table_.add_row(row, label);
+        use(row, label);
     }
     void evalglare(const std::string& line, size_t colon) {
         std::vector<std::string> names;
@@ -184,13 +184,19 @@ private:
     }
     void add(const std::vector<std::string>& names, const std::vector<double>& row,
              const std::vector<std::string>& labels = {}, const std::vector<std::string>& label = {}) {
-        if (table_.rows.empty()) table_.names = names, table_.labels = labels;
+        if (rows_ == 0) table_.names = names, table_.labels = labels;
         if (table_.names != names) base::fail(place_, "has different metrics than the lines before it");
-        table_.add_row(row, label);
+        use(row, label);
+    }
+    void use(const std::vector<double>& row, const std::vector<std::string>& label) {
+        ++rows_;
+        use_(table_, row, label);
     }
 
     std::ifstream in_;
-    NumberTable table_;
+    NumberTable table_;  // without rows
+    const RowUse& use_;
+    size_t rows_ = 0;
     std::string place_, header_line_;
     std::vector<std::string> header_;
     char separator_ = 0;
@@ -209,7 +215,16 @@ std::string name_in_folder(const std::string& path) { return path.substr(path.rf
 
 std::optional<NumberTable> read_numbers(const std::string& path) {
     if (path == "-") return std::nullopt;
-    return TableReader(path).read();
+    constexpr size_t most_rows = 10000000;
+    NumberTable all;
+    const auto add = [&](const NumberTable& t, const std::vector<double>& row, const std::vector<std::string>& label) {
+        if (all.rows.empty()) all = t;
+        if (all.rows.size() == most_rows) base::fail(path, "a table of more than ten million rows");
+        all.add_row(row, label);
+    };
+    return each_row(path, add) ? std::optional(std::move(all)) : std::nullopt;
 }
+
+bool each_row(const std::string& path, const RowUse& use) { return TableReader(path, use).read(); }
 
 }  // namespace report

@@ -15,15 +15,28 @@ struct Count {
     std::vector<double> chances;
 };
 
-Count count_at(const std::vector<Uncertain>& values, double limit, double side) {
+template <class Chance>
+Count count_of(const std::vector<Uncertain>& values, const Chance& chance) {
     constexpr double never = 1e-9;
     Count c;
     for (const Uncertain& u : values) {
-        const double p = chance_above(u, limit, side);
+        const double p = chance(u);
         if (p > 1 - never) ++c.sure;
         else if (p >= never) c.chances.push_back(p);
     }
     return c;
+}
+
+Count count_at(const std::vector<Uncertain>& values, double limit, double side) {
+    return count_of(values, [&](const Uncertain& u) { return chance_above(u, limit, side); });
+}
+
+Interval limits_of(const Count& low, const Count& high, double alpha) {
+    const std::vector<double> below = count_distribution(low.chances), above = count_distribution(high.chances);
+    size_t first = 0, last = above.size() - 1;
+    for (double sum = below[0]; sum <= alpha / 2 && first + 1 < below.size(); sum += below[first]) ++first;
+    for (double sum = above[last]; sum <= alpha / 2 && last > 0; sum += above[last]) --last;
+    return {double(low.sure + first), double(high.sure + last)};
 }
 
 // P(N > n)
@@ -70,12 +83,15 @@ std::vector<double> count_distribution(const std::vector<double>& chances) {
 }
 
 Interval count_above(const std::vector<Uncertain>& values, double limit, double alpha) {
-    const Count low = count_at(values, limit, -1), high = count_at(values, limit, 1);
-    const std::vector<double> below = count_distribution(low.chances), above = count_distribution(high.chances);
-    size_t first = 0, last = above.size() - 1;
-    for (double sum = below[0]; sum <= alpha / 2 && first + 1 < below.size(); sum += below[first]) ++first;
-    for (double sum = above[last]; sum <= alpha / 2 && last > 0; sum += above[last]) --last;
-    return {double(low.sure + first), double(high.sure + last)};
+    return limits_of(count_at(values, limit, -1), count_at(values, limit, 1), alpha);
+}
+
+Interval count_within(const std::vector<Uncertain>& values, double from, double to, double alpha) {
+    const auto at_least = [](const Uncertain& u, double limit) {
+        return chance_above(u, std::nextafter(limit, -INFINITY));
+    };
+    const Count c = count_of(values, [&](const Uncertain& u) { return at_least(u, from) - at_least(u, to); });
+    return limits_of(c, c, alpha);
 }
 
 double exceeded(const std::vector<Uncertain>& values, size_t exceeding) {

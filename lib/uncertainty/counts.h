@@ -25,6 +25,9 @@ std::vector<double> count_distribution(const std::vector<double>& chances);
 // Limits that the number of values above `limit` leaves on each side with the probability alpha / 2.
 Interval count_above(const std::vector<Uncertain>& values, double limit, double alpha);
 
+// The same for values from `from` on and below `to`, which may be infinite; of errors without a bound.
+Interval count_within(const std::vector<Uncertain>& values, double from, double to, double alpha);
+
 // The same for the smallest x that no more than `exceeding` of the values are above.
 double exceeded(const std::vector<Uncertain>& values, size_t exceeding);
 Interval exceeded_interval(const std::vector<Uncertain>& values, size_t exceeding, double alpha);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The hours of a year from vcmetrics' tables (ptrace -wea): the last line of each hour and view.
+// The hours of a year from vcmetrics' tables (ptrace -wea): the last line of each hour and view, or of each hour and
+// sensor.
 #pragma once
 #include <string>
 #include <vector>
@@ -23,14 +24,33 @@ struct View {
     std::vector<Hour> hours;  // by time
 };
 
+struct Lux {
+    float value = 0, error = 0;  // one standard error
+};
+
+struct GridHour {
+    weather::Time time;
+    std::vector<Lux> sensors;
+};
+
+bool is_dark(const GridHour& hour);
+
+// Illuminances of sensors, at least one in at least one hour.
+struct Grid {
+    std::string name;
+    std::vector<GridHour> hours;  // by time, all with the same sensors
+    size_t sensors() const { return hours.front().sensors.size(); }
+};
+
 struct Tables {
     std::vector<View> views;  // in the order of their first lines
+    std::vector<Grid> grids;  // likewise; there are either views or grids
     bool exact = false;       // no intervals: values are taken as they are
     bool no_pixels = false;   // no column pixels: pictures count as 64 x 64
 };
 
 // Later files, and later lines, replace what was said of an hour.  Throws Error (place: the file) for tables without
-// hours or DGP, or in which no hour has an interval.
+// hours, or without DGP or E, or in which no hour has an interval.
 Tables read_tables(const std::vector<std::string>& paths);
 
 }  // namespace year

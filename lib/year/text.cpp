@@ -4,8 +4,12 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace year {
 namespace {
+
+constexpr Between unknown{NAN, NAN, NAN};
 
 std::string count_text(const Between& n) {
     return n.low == n.high ? fmt::format("{:.0f}", n.value)
@@ -38,6 +42,20 @@ std::string five_lines(const View& view, const Verdict& v, const std::string& co
     return text;
 }
 
+void add_names(const std::vector<std::string>& numbers, std::vector<std::string>& names) {
+    for (const std::string& name : numbers)
+        for (const char* end : {"", ".lo", ".hi"}) names.push_back(name + end);
+}
+
+void add_cells(const std::vector<Between>& numbers, std::vector<report::Cell>& row) {
+    for (const Between& b : numbers)
+        for (const double x : {b.value, b.low, b.high}) row.push_back(report::number_cell(x));
+}
+
+void add_useful_cells(const Useful& u, std::vector<report::Cell>& row) {
+    add_cells({u[below], u[supplementary], u[autonomous], u[exceeded]}, row);
+}
+
 }  // namespace
 
 std::string summary(const std::vector<View>& views, const std::vector<Verdict>& verdicts, const std::string& command) {
@@ -51,8 +69,7 @@ std::string summary(const std::vector<View>& views, const std::vector<Verdict>& 
 
 std::vector<std::string> column_names() {
     std::vector<std::string> names{"view", "hours", "dark", "undecided"};
-    for (const char* name : {"above_0.35", "above_0.40", "above_0.45", "DGPe5", "GA"})
-        for (const char* end : {"", ".lo", ".hi"}) names.push_back(std::string(name) + end);
+    add_names({"above_0.35", "above_0.40", "above_0.45", "DGPe5", "GA"}, names);
     names.insert(names.end(), {"class", "class.best", "class.worst"});
     return names;
 }
@@ -60,8 +77,7 @@ std::vector<std::string> column_names() {
 std::vector<report::Cell> cells(const Verdict& v) {
     std::vector<report::Cell> row{report::text_cell(v.view.empty() ? "-" : v.view)};
     for (const size_t n : {v.hours, v.dark, v.undecided}) row.push_back(report::number_cell(double(n)));
-    for (const Between& b : {v.above[0], v.above[1], v.above[2], v.exceeded, v.autonomy})
-        for (const double x : {b.value, b.low, b.high}) row.push_back(report::number_cell(x));
+    add_cells({v.above[0], v.above[1], v.above[2], v.exceeded, v.autonomy}, row);
     row.push_back(report::text_cell(v.best == v.worst ? class_name(v.best) : "undecided"));
     row.push_back(report::text_cell(class_name(v.best)));
     row.push_back(report::text_cell(class_name(v.worst)));
@@ -74,6 +90,53 @@ std::string worst_lines(const std::vector<View>& views, size_t n, const std::str
         for (const Hour& h : worst_hours(view, n))
             text += fmt::format("{:.3f}\t{}\t{}\n", h.dgp.value, view.name.empty() ? "-" : view.name, show(h, command));
     return text;
+}
+
+std::string summary(const GridYear& y, const Goals& g) {
+    std::string text =
+        fmt::format("{}\nhours     {}, {} dark, {} sensors\n", y.name, y.hours, y.dark, y.sensors.size());
+    text += fmt::format("DA        {} of the hours have {:g} lx, mean of the sensors\n", percent_text(y.autonomy),
+                        g.autonomy_lux);
+    text += fmt::format("sDA       {} of the sensors have {:g} lx in {:g} % of the hours\n", percent_text(y.spatial),
+                        g.autonomy_lux, 100 * g.autonomy_share);
+    text += fmt::format("UDI       {} below {:g} lx, {} supplementary, {} autonomous ({:g} to {:g} lx), {} exceeded\n",
+                        percent_text(y.useful[below]), g.useful_lux[0], percent_text(y.useful[supplementary]),
+                        percent_text(y.useful[autonomous]), g.useful_lux[1], g.useful_lux[2],
+                        percent_text(y.useful[exceeded]));
+    if (y.sun_hours)
+        text += fmt::format("ASE       {} of the sensors have {:g} lx of sun in more than {:g} of {} hours\n",
+                            percent_text(y.exposed), g.sun_lux, g.sun_hours, *y.sun_hours);
+    return text;
+}
+
+std::vector<std::string> grid_column_names() {
+    std::vector<std::string> names{"grid", "sensors", "hours", "dark"};
+    add_names({"DA", "sDA", "UDI_below", "UDI_supplementary", "UDI_autonomous", "UDI_exceeded", "ASE"}, names);
+    return names;
+}
+
+std::vector<report::Cell> cells(const GridYear& y) {
+    std::vector<report::Cell> row{report::text_cell(y.name)};
+    for (const size_t n : {y.sensors.size(), y.hours, y.dark}) row.push_back(report::number_cell(double(n)));
+    add_cells({y.autonomy, y.spatial}, row);
+    add_useful_cells(y.useful, row);
+    add_cells({y.sun_hours ? y.exposed : unknown}, row);
+    return row;
+}
+
+std::vector<std::string> sensor_column_names() {
+    std::vector<std::string> names{"grid", "point"};
+    add_names({"DA", "UDI_below", "UDI_supplementary", "UDI_autonomous", "UDI_exceeded", "sun_hours"}, names);
+    return names;
+}
+
+std::vector<report::Cell> cells(const GridYear& y, size_t k) {
+    const SensorYear& s = y.sensors[k];
+    std::vector<report::Cell> row{report::text_cell(y.name), report::number_cell(double(k))};
+    add_cells({s.autonomy}, row);
+    add_useful_cells(s.useful, row);
+    add_cells({y.sun_hours ? s.sun_hours : unknown}, row);
+    return row;
 }
 
 }  // namespace year

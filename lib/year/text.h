@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A year in five lines, or as a row of a table.
+// A year in five lines, of views or of grids, or as a row of a table.
 #pragma once
 #include <string>
 #include <vector>
 
 #include "report/table.h"
-#include "year/verdict.h"
+#include "year/autonomy.h"
 
 namespace year {
 
@@ -18,5 +18,12 @@ std::vector<report::Cell> cells(const Verdict& verdict);
 
 // A line for each: DGP, the view, the command that shows it.
 std::string worst_lines(const std::vector<View>& views, size_t n, const std::string& command);
+
+std::string summary(const GridYear& year, const Goals& goals);
+std::vector<std::string> grid_column_names();
+std::vector<report::Cell> cells(const GridYear& year);
+// The columns and rows of single sensors.
+std::vector<std::string> sensor_column_names();
+std::vector<report::Cell> cells(const GridYear& year, size_t sensor);
 
 }  // namespace year

@@ -27,7 +27,7 @@ std::vector<image::Point> points_of(const Options& o, const std::vector<image::G
         all.insert(all.end(), file.points.begin(), file.points.end());
     }
     if (all.size() != image::count_of(grids))
-        base::fail(o.each ? "-each" : "-over", "needs all point files of ptrace: -points FILE");
+        base::fail(o.over_file.empty() ? "-points" : "-over", "needs all point files of ptrace: -points FILE");
     return all;
 }
 
@@ -44,10 +44,28 @@ void refuse_options_of_views(const Options& o) {
         if (given) base::fail(name, "works on pictures of a view, not on pictures of points");
 }
 
+std::vector<std::string> names_of_grids(const Options& o, const image::Header& h,
+                                        const std::vector<GridColumn>& columns) {
+    std::vector<std::string> names = {"frame", "seconds"};
+    if (!h.sky_name.empty()) names.push_back("sky");
+    for (const GridColumn& c : columns) {
+        names.push_back(c.name);
+        if (o.ci) names.push_back(c.name + ".lo"), names.push_back(c.name + ".hi");
+    }
+    return names;
+}
+
+std::vector<std::string> names_of_points(bool by_number, bool skies) {
+    std::vector<std::string> names = {"grid", "x", "y", "z", "dx", "dy", "dz", "E", "lo", "hi"};
+    if (by_number) names = {"grid", "point", "E", "lo", "hi"};
+    if (skies) names.insert(names.begin(), "sky");
+    return names;
+}
+
 GridState begin(const Options& o, const image::Header& h) {
     refuse_options_of_views(o);
     GridState s;
-    if (o.each || !o.over_file.empty()) s.points = points_of(o, h.grids);
+    if (!o.points_files.empty() || !o.over_file.empty()) s.points = points_of(o, h.grids);
     if (!h.grids[0].sensors && !o.like_rtrace && !o.each)
         base::fail("", "the picture holds radiances along rays; -each or -like rtrace prints them");
     const std::vector<std::string> names = o.metrics.empty() ? base::split_list(default_grid_numbers, ',') : o.metrics;
@@ -58,12 +76,7 @@ GridState begin(const Options& o, const image::Header& h) {
             if (one.size() > 1) base::fail("-until", "\"" + t.metric + "\" is of several grids: name one");
             s.of_rule.push_back(one[0]);
         }
-    s.names = {"frame", "seconds"};
-    if (!h.sky_name.empty()) s.names.push_back("sky");
-    for (const GridColumn& c : s.columns) {
-        s.names.push_back(c.name);
-        if (o.ci) s.names.push_back(c.name + ".lo"), s.names.push_back(c.name + ".hi");
-    }
+    s.names = o.each ? names_of_points(s.points.empty(), !h.sky_name.empty()) : names_of_grids(o, h, s.columns);
     return s;
 }
 
@@ -101,7 +114,9 @@ GridStep step(const Options& o, GridState s, image::Picture& p, int64_t frame, d
     if (image::count_of(h.grids) > size_t(p.width) * size_t(p.height))
         base::fail("", "GRID= lines have more points than pixels");
     const bool first = s.columns.empty(), plain = !o.each && !o.like_rtrace;
+    std::string text = !first && h.sky_name != s.header.sky_name ? rows_of_points(o, s) : "";
     if (first) s = begin(o, h);
+    if (first && !o.like_rtrace) text += header_line(s.names, o.format);
     const std::vector<float> grey = image::grey_of(p.rgb);
     const int64_t n = h.frames.value_or(0);
     if (first || n <= s.parts.frames() || h.sky_name != s.header.sky_name) s.parts.restart(), s.held = 0;
@@ -113,7 +128,6 @@ GridStep step(const Options& o, GridState s, image::Picture& p, int64_t frame, d
     for (const image::Grid& g : h.grids)
         s.grids.push_back(
             uncertainty::noisy_values(s.parts.parts(), grey.data(), g.first, g.count, image::lumens_per_watt));
-    std::string text = first && plain ? header_line(s.names, o.format) : "";
     if (plain) text += row_of(o, s, frame, seconds);
     // Two pictures in a row: of many looks at a rule, single ones find that it holds before it does.
     if (!s.rule.empty()) s.held = n >= uncertainty::least_frames && rule_holds(s) ? s.held + 1 : 0;
@@ -156,17 +170,18 @@ std::string rows_of_points(const Options& o, const GridState& s) {
             text += fmt::format("{:.6e}\t{:.6e}\t{:.6e}\t\n", double(s.rgb[3 * i]), double(s.rgb[3 * i + 1]),
                                 double(s.rgb[3 * i + 2]));
     if (!o.each) return text;
-    const std::vector<std::string> names = {"grid", "x", "y", "z", "dx", "dy", "dz", "E", "lo", "hi"};
-    text += header_line(names, o.format);
     for (size_t g = 0; g < grids.size(); ++g)
         for (size_t i = 0; i < grids[g].count; ++i) {
-            const image::Point& point = s.points[grids[g].first + i];
+            std::vector<Cell> cells;
+            if (!s.header.sky_name.empty()) cells.push_back(text_cell(s.header.sky_name));
+            cells.push_back(text_cell(grids[g].name));
+            if (s.points.empty()) cells.push_back(number_cell(double(i)));
+            else
+                for (const base::Vec3& v : {s.points[grids[g].first + i].p, s.points[grids[g].first + i].dir})
+                    for (const double x : {v.x, v.y, v.z}) cells.push_back(number_cell(x));
             const uncertainty::Interval limits = point_limits(s.grids[g], i, 1 - o.ci.value_or(.95));
-            std::vector<Cell> cells = {text_cell(grids[g].name)};
-            for (const double v : {point.p.x, point.p.y, point.p.z, point.dir.x, point.dir.y, point.dir.z,
-                                   s.grids[g].value[i], limits.low, limits.high})
-                cells.push_back(number_cell(v));
-            text += table_line(names, cells, o.format);
+            for (const double v : {s.grids[g].value[i], limits.low, limits.high}) cells.push_back(number_cell(v));
+            text += table_line(s.names, cells, o.format);
         }
     return text;
 }

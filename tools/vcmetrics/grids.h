@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Pictures of points (ptrace -points): numbers of their grids, a row a picture; or a row a point (-each), or rtrace's
-// lines (-like rtrace), of the last picture.
+// lines (-like rtrace), of the last picture of each sky.
 #pragma once
 #include <optional>
 #include <string>
@@ -35,6 +35,6 @@ GridStep step(const Options& options, GridState state, image::Picture& picture, 
 // Writes the file of -over: maps of the last picture's points and of the half-widths of their intervals.
 void draw_map(const Options& options, const GridState& state);
 
-// The rows of -each and -like rtrace, of the last picture.
+// The rows of -each and -like rtrace, of the state's picture.
 std::string rows_of_points(const Options& options, const GridState& state);
 int status(const Options& options, const GridState& state);

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vcyear - what a year of hours says of glare, from vcmetrics' tables of ptrace -wea, with intervals.
+// vcyear - what a year of hours says of glare, or of daylight at sensors, from vcmetrics' tables of ptrace -wea, with
+// intervals.
 // The numbers live in lib/year; this file only connects.  See man/vcyear.1.
 #include <algorithm>
 
 #include "base/error.h"
 #include "base/run.h"
 #include "options.h"
+#include "year/grid_maps.h"
 #include "year/honeybee.h"
 #include "year/next.h"
 #include "year/plot.h"
@@ -27,7 +29,54 @@ std::string table(const std::vector<year::Verdict>& verdicts, report::TableForma
     return text;
 }
 
+// Null without -direct.
+const year::Grid* direct_of(const year::Grid& grid, const std::vector<year::Grid>& direct) {
+    if (direct.empty()) return nullptr;
+    const auto found =
+        std::find_if(direct.begin(), direct.end(), [&](const year::Grid& g) { return g.name == grid.name; });
+    if (found == direct.end()) base::fail("-direct", "has no grid \"" + grid.name + "\"");
+    return &*found;
+}
+
+void refuse_options_of_views(const Options& o) {
+    const std::pair<const char*, bool> of_views[] = {
+        {"-next", o.next}, {"-worst", o.worst > 0}, {"-view", !o.view.empty()}};
+    for (const auto& [name, given] : of_views)
+        if (given) base::fail(name, "is of views, not of sensors");
+}
+
+std::string table(const std::vector<year::GridYear>& years, bool each, report::TableFormat format) {
+    const std::vector<std::string> names = each ? year::sensor_column_names() : year::grid_column_names();
+    std::string text = report::header_line(names, format);
+    for (const year::GridYear& y : years)
+        for (size_t k = 0; k < (each ? y.sensors.size() : 1); ++k)
+            text += report::table_line(names, each ? cells(y, k) : cells(y), format);
+    return text;
+}
+
+std::string answer(const Options& o, const std::vector<year::Grid>& grids) {
+    refuse_options_of_views(o);
+    const std::vector<year::Grid> direct =
+        o.direct.empty() ? std::vector<year::Grid>() : year::read_tables(o.direct).grids;
+    std::vector<year::GridYear> years;
+    for (const year::Grid& g : grids)
+        years.push_back(year::judge(g, direct_of(g, direct), o.goals, 1 - o.percent / 100));
+    if (!o.plot.empty()) year::write_maps(o.plot, years, o.points, o.goals);
+    if (o.format || o.each) return table(years, o.each, o.format.value_or(report::TableFormat::tsv));
+    std::string text;
+    for (const year::GridYear& y : years) text += year::summary(y, o.goals);
+    return text;
+}
+
+void refuse_options_of_sensors(const Options& o) {
+    const std::pair<const char*, bool> of_sensors[] = {
+        {"-direct", !o.direct.empty()}, {"-each", o.each}, {"-points", !o.points.empty()}};
+    for (const auto& [name, given] : of_sensors)
+        if (given) base::fail(name, "is of sensors (vcmetrics -each), not of views");
+}
+
 std::string answer(const Options& opt, const std::vector<year::View>& views) {
+    refuse_options_of_sensors(opt);
     const double alpha = 1 - opt.percent / 100;
     std::vector<year::Verdict> verdicts;
     for (const year::View& v : views) verdicts.push_back(year::judge(v, alpha));
@@ -45,8 +94,8 @@ int work(int argc, char** argv) {
     year::Tables tables = year::read_tables(opt.tables);
     if (tables.exact) base::warn(opt.tables.front(), "no intervals (vcmetrics -ci 95): values count as exact");
     else if (tables.no_pixels) base::warn(opt.tables.front(), "no column pixels: pictures count as 64 x 64");
-    choose_view(opt.view, tables.views);
-    const std::string text = answer(opt, tables.views);
+    if (tables.grids.empty()) choose_view(opt.view, tables.views);
+    const std::string text = tables.grids.empty() ? answer(opt, tables.views) : answer(opt, tables.grids);
     base::write_stdout(text.data(), text.size());
     base::flush_stdout();
     return 0;

@@ -2,10 +2,38 @@
 // vcyear's options, each declared once (base/options.h).
 #include "options.h"
 
+#include <fmt/format.h>
+
 #include "base/error.h"
 #include "base/options.h"
 #include "base/warnings.h"
 #include "image/stream.h"
+
+namespace {
+
+void declare_goals(base::OptionTable& t, year::Goals& g) {
+    t.add("-sda lx percent", "Illuminance of DA and sDA, and the hours in which a sensor has to have it",
+          {[&g](base::Arguments& a) {
+               g.autonomy_lux = a.real(base::above(0));
+               g.autonomy_share = a.real(base::within(0, 100)) / 100;
+           },
+           [&g] { return fmt::format("{:g} {:g}", g.autonomy_lux, 100 * g.autonomy_share); }});
+    t.add("-udi low middle high", "Illuminances from which UDI is supplementary, autonomous and exceeded",
+          {[&g](base::Arguments& a) {
+               for (double& lux : g.useful_lux) lux = a.real(base::above(0));
+               if (!(g.useful_lux[0] < g.useful_lux[1] && g.useful_lux[1] < g.useful_lux[2]))
+                   base::fail("-udi", "its illuminances rise");
+           },
+           [&g] { return fmt::format("{:g} {:g} {:g}", g.useful_lux[0], g.useful_lux[1], g.useful_lux[2]); }});
+    t.add("-ase lx hours", "Illuminance of direct sun, and how many hours of it are too many",
+          {[&g](base::Arguments& a) {
+               g.sun_lux = a.real(base::above(0));
+               g.sun_hours = a.real(base::within(0, 8784));
+           },
+           [&g] { return fmt::format("{:g} {:g}", g.sun_lux, g.sun_hours); }});
+}
+
+}  // namespace
 
 std::optional<int> parse_options(int argc, char** argv, Options& o) {
     base::OptionTable t("vcyear", LUXPIPE_VERSION, "[options] table.tsv ... (\"-\": stdin)");
@@ -21,8 +49,13 @@ std::optional<int> parse_options(int argc, char** argv, Options& o) {
         .at_least(0);
     t.add("-command words", "Command that shows a view's hours, in front of -hours", o.command);
     t.add("-next", "Print the hours that could change the class, with frames or size that they need", o.next);
+    t.group("Sensors");
+    declare_goals(t, o.goals);
+    t.add("-direct file", "Table of the same sensors under direct sun alone (ptrace -ab 0), for ASE", o.direct);
+    t.add("-each", "A row for each sensor", o.each);
     t.group("Files");
-    t.add("-plot file", "Write a heat map of days by hours, .svg or .png", o.plot);
+    t.add("-plot file", "Write a heat map of days by hours, or maps of sensors, .svg or .png", o.plot);
+    t.add("-points file", "The points of a grid that ptrace had, for -plot", o.points);
     t.add("-honeybee folder", "Write results as honeybee-radiance reads them", o.honeybee);
     t.group("Messages");
     t.add("-w[+-]", "Warnings", o.warnings);

@@ -6,9 +6,14 @@
 #include <vector>
 
 #include "report/table.h"
+#include "year/autonomy.h"
 
 struct Options {
     std::vector<std::string> tables;
+    std::vector<std::string> direct;            // -direct: tables of a run with direct sun alone
+    std::vector<std::string> points;            // -points: of -plot of grids
+    year::Goals goals;                          // -sda, -udi, -ase
+    bool each = false;                          // -each: a row a sensor
     std::string view;                           // -view: this one alone
     std::string command = "ptrace ...";         // -command: in front of -hours
     std::string plot, honeybee;                 // -plot, -honeybee

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The results of a year of hours for the sensors of a grid, with intervals.  Errors of a sensor are independent from
+// hour to hour, so that its number of hours is a Poisson-binomial count (uncertainty/counts.h).  Errors of different
+// sensors are not independent, and their correlation is not known: the limits of a mean over sensors are the means of
+// their limits, and those of a share of sensors the shares at their limits, which hold for any correlation that errors
+// of light can have.
+#pragma once
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "year/verdict.h"
+
+namespace year {
+
+// sDA and ASE after IES LM-83-12, Approved Method: IES Spatial Daylight Autonomy (sDA) and Annual Sunlight Exposure
+// (ASE); UDI after J. Mardaljevic et al., Daylighting metrics: is there a relation between useful daylight illuminance
+// and daylight glare probability?, Proceedings of BSO12, 2012.
+struct Goals {
+    double autonomy_lux = 300, autonomy_share = .5;
+    std::array<double, 3> useful_lux{100, 300, 3000};  // rising
+    double sun_lux = 1000, sun_hours = 250;
+};
+
+enum Usefulness { below, supplementary, autonomous, exceeded };
+constexpr size_t usefulness_kinds = 4;
+using Useful = std::array<Between, usefulness_kinds>;
+
+struct SensorYear {
+    Between autonomy;   // share of the hours with autonomy_lux or more
+    Useful useful;      // shares of the hours
+    Between sun_hours;  // hours with sun_lux or more of direct sun
+};
+
+struct GridYear {
+    std::string name;
+    std::vector<SensorYear> sensors;
+    size_t hours = 0, dark = 0;
+    std::optional<size_t> sun_hours;  // of the run with direct sun alone
+    Between autonomy;                 // means over the sensors
+    Useful useful;
+    Between spatial;  // sDA: share of the sensors whose autonomy is autonomy_share or more
+    Between exposed;  // ASE: share of the sensors with more than sun_hours of direct sun
+};
+
+// direct: the same sensors under direct sun alone; null: not known.  alpha: probability that an interval misses.
+GridYear judge(const Grid& grid, const Grid* direct, const Goals& goals, double alpha);
+
+}  // namespace year

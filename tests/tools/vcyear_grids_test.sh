@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Grids of a year from outside: from the weather to autonomy, parts of a year, and what is refused.
+. "${TOP:?}/tests/lib.sh"
+needs ptrace ptaccum vcmetrics vcyear
+{
+    printf 'place Here\nlatitude 39.74\nlongitude 105.18\ntime_zone 105\nsite_elevation 1829\nweather_data_file_units 1\n'
+    for month in 1 3; do for hour in 5.5 9.5 12.5; do echo "$month 21 $hour 700 90"; done; done
+} > y.wea
+# A vast black roof with a sensor above it, one below it and one that looks down on the bright ground.
+printf 'void plastic p 0 0 5 0 0 0 0 0\np ring roof 0 0 8 0 0 .7 0 0 1 0 900\n' > roof.rad
+printf '0 0 .8 0 0 1\n0 0 .6 0 0 1\n0 0 .6 0 0 -1\n' > desk.pts
+printf '9 0 2 0 0 1\n' > free.pts
+hours() {
+    ptrace -w- -points desk.pts -points free.pts -wea y.wea "$@" roof.rad 2> said | ptaccum -every x2 |
+        vcmetrics -W- -each
+}
+hours -frames 9 > all.tsv
+hours -ab 0 -frames 4 > sun.tsv
+
+check 'a row for each hour and sensor, of its last picture' '
+    head -n 1 all.tsv | grep -qx "sky	grid	point	E	lo	hi"; [ "$(wc -l < all.tsv)" = 25 ]
+    sed -n 2p all.tsv | grep -q "^0121_0530	desk	0	0	"; tail -n 1 all.tsv | grep -q "^0321_1230	free	0	"'
+check 'those of an hour alone' '
+    hours -frames 9 -hours 0321_1230 > one.tsv; grep "^0321_1230" all.tsv | cmp - <(tail -n +2 one.tsv)'
+check 'with -points the points themselves, hour by hour' '
+    ptrace -w- -points desk.pts -wea y.wea -frames 3 roof.rad 2> said | ptaccum -every x2 |
+        vcmetrics -W- -each -points desk.pts > rows
+    [ "$(grep -c "^[0-9_]*	desk	0	0	0.6	0	0	-1	" rows)" = 6 ]'
+check 'autonomy, useful illuminance and direct sun: four of six hours have light, sun on the first sensor alone' '
+    vcyear -direct sun.tsv -ase 1000 3 all.tsv > says
+    grep -qx "hours     6, 2 dark, 3 sensors" says
+    grep -qx "DA        44.4 % of the hours have 300 lx, mean of the sensors" says
+    grep -qx "sDA       66.7 % of the sensors have 300 lx in 50 % of the hours" says
+    grep -q "^UDI       55.6 % below 100 lx, 0.0 % supplementary, .*44.4 % exceeded$" says
+    grep -qx "ASE       33.3 % of the sensors have 1000 lx of sun in more than 3 of 6 hours" says
+    [ "$(vcyear -direct sun.tsv -ase 1000 4 all.tsv | grep -c "^ASE       0.0 %")" = 2 ]'
+check 'parts joined by cat, an hour rendered again' '
+    hours -frames 9 -hours 1/2 > a.tsv; hours -frames 9 -hours 2/2 > b.tsv
+    vcyear all.tsv > says; cat a.tsv b.tsv | vcyear - | cmp - says; vcyear b.tsv all.tsv | grep -q "^hours     6,"'
+check 'numbers as tables: a row a grid, a row a sensor' '
+    vcyear -format csv all.tsv | head -n 1 | grep -q "^grid,sensors,hours,dark,DA,DA.lo,DA.hi,sDA,"
+    vcyear -each all.tsv > each; [ "$(wc -l < each)" = 5 ]; sed -n 2p each | grep -q "^desk	0	0.66666667	0.66666667	"
+    vcyear -sda 1 90 -udi 10 20 30 -format jsonl all.tsv | python3 -c "
+import json, sys
+row = json.loads(sys.stdin.readline())
+assert row[\"sDA\"] == 0 and abs(row[\"UDI_exceeded\"] - 4 / 9) < 1e-6 and row[\"ASE\"] is None"'
+check 'maps of each grid: autonomy, useful illuminance, hours of sun' '
+    vcyear -direct sun.tsv -plot plan.svg -points desk.pts -points free.pts all.tsv > says
+    for text in desk free "DA(300 lx), % of hours; line: 50; hatched: its interval holds it" "sun of 1000 lx, hours; line: 250"
+    do grep -q ">$text" plan.svg; done
+    vcyear -plot plan.png -points free.pts -points desk.pts all.tsv > says; head -c 4 plan.png | grep -q PNG'
+check_error 'maps need all points' 1 '^vcyear: -plot: needs the points of "free": -points FILE$' '
+    vcyear -plot plan.svg -points desk.pts all.tsv'
+check_error 'and no others' 1 '^vcyear: free.pts: has 2 points, the table 1 sensors$' '
+    mkdir other; cat free.pts free.pts > other/free.pts; cd other
+    vcyear -plot plan.svg -points free.pts ../all.tsv'
+check_error 'sensors of another table' 1 '^vcyear: -direct: has no grid "desk"$' '
+    grep -v desk sun.tsv > other.tsv; vcyear -direct other.tsv all.tsv'
+check_error 'other sensors' 1 '^vcyear: -direct: has other sensors in desk than the table$' '
+    grep -v "desk	2" sun.tsv > other.tsv; vcyear -direct other.tsv all.tsv'
+check_error 'limits that fall' 1 '^vcyear: -udi: its illuminances rise$' 'vcyear -udi 100 3000 300 all.tsv'
+check_error 'a sensor has no worst view' 1 '^vcyear: -worst: is of views, not of sensors$' 'vcyear -worst 3 all.tsv'
+printf 'sky\tDGP\tDGP.lo\tDGP.hi\tpixels\n0121_0930\t.3\t.3\t.3\t9999\n' > view.tsv
+check_error 'a view has no sensors' 1 '^vcyear: -each: is of sensors .vcmetrics -each., not of views$' '
+    vcyear -each view.tsv'
+check_error 'both in one' 1 '^vcyear: view.tsv: views and sensors are counted apart$' 'vcyear view.tsv all.tsv'
