@@ -15,8 +15,10 @@ namespace {
 constexpr int gap = 12, line = 16, side = 360, tall = 480, largest_cell = 24, bar = 14;  // pixels
 constexpr Colour unknown{238, 238, 238}, black{0, 0, 0}, white{255, 255, 255};
 
-// From the least to the greatest value: in proportion, or by their logarithm where they span more than a decade.
+// From the least to the greatest value, without a top: in proportion, or by their logarithm where they span more than a
+// decade.
 Scale scale_of(const MapColumn& column) {
+    if (column.top > 0) return {column.top, 0};
     double low = HUGE_VAL, high = 0;
     for (const std::vector<double>& values : column.values)
         for (const double v : values)

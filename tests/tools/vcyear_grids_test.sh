@@ -3,7 +3,8 @@
 . "${TOP:?}/tests/lib.sh"
 needs ptrace ptaccum vcmetrics vcyear
 {
-    printf 'place Here\nlatitude 39.74\nlongitude 105.18\ntime_zone 105\nsite_elevation 1829\nweather_data_file_units 1\n'
+    printf 'place Here\nlatitude 39.74\nlongitude 105.18\ntime_zone 105\n'
+    printf 'site_elevation 1829\nweather_data_file_units 1\n'
     for month in 1 3; do for hour in 5.5 9.5 12.5; do echo "$month 21 $hour 700 90"; done; done
 } > y.wea
 # A vast black roof with a sensor above it, one below it and one that looks down on the bright ground.
@@ -46,8 +47,9 @@ row = json.loads(sys.stdin.readline())
 assert row[\"sDA\"] == 0 and abs(row[\"UDI_exceeded\"] - 4 / 9) < 1e-6 and row[\"ASE\"] is None"'
 check 'maps of each grid: autonomy, useful illuminance, hours of sun' '
     vcyear -direct sun.tsv -plot plan.svg -points desk.pts -points free.pts all.tsv > says
-    for text in desk free "DA(300 lx), % of hours; line: 50; hatched: its interval holds it" "sun of 1000 lx, hours; line: 250"
-    do grep -q ">$text" plan.svg; done
+    for text in desk free "DA of 300 lx, % of hours; line: 50; hatched: undecided" "Sun of 1000 lx, hours"; do
+        grep -q ">$text" plan.svg
+    done
     vcyear -plot plan.png -points free.pts -points desk.pts all.tsv > says; head -c 4 plan.png | grep -q PNG'
 check_error 'maps need all points' 1 '^vcyear: -plot: needs the points of "free": -points FILE$' '
     vcyear -plot plan.svg -points desk.pts all.tsv'
