@@ -62,6 +62,8 @@ check_error 'other sensors' 1 '^vcyear: -direct: has other sensors in desk than 
     grep -v "desk	2" sun.tsv > other.tsv; vcyear -direct other.tsv all.tsv'
 check_error 'limits that fall' 1 '^vcyear: -udi: its illuminances rise$' 'vcyear -udi 100 3000 300 all.tsv'
 check_error 'a sensor has no worst view' 1 '^vcyear: -worst: is of views, not of sensors$' 'vcyear -worst 3 all.tsv'
+check_error 'nor a file of glare for Honeybee' 1 '^vcyear: -honeybee: is of views, not of sensors$' '
+    vcyear -honeybee folder all.tsv; test ! -e folder'
 printf 'sky\tDGP\tDGP.lo\tDGP.hi\tpixels\n0121_0930\t.3\t.3\t.3\t9999\n' > view.tsv
 check_error 'a view has no sensors' 1 '^vcyear: -each: is of sensors .vcmetrics -each., not of views$' '
     vcyear -each view.tsv'

@@ -40,7 +40,7 @@ const year::Grid* direct_of(const year::Grid& grid, const std::vector<year::Grid
 
 void refuse_options_of_views(const Options& o) {
     const std::pair<const char*, bool> of_views[] = {
-        {"-next", o.next}, {"-worst", o.worst > 0}, {"-view", !o.view.empty()}};
+        {"-next", o.next}, {"-worst", o.worst > 0}, {"-view", !o.view.empty()}, {"-honeybee", !o.honeybee.empty()}};
     for (const auto& [name, given] : of_views)
         if (given) base::fail(name, "is of views, not of sensors");
 }
