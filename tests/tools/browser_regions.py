@@ -67,6 +67,11 @@ check('arrow keys move the region that is chosen', time_out(moved), text())
 page.one('#regions-undo').click()
 check('that is undone', time_out('window +rect fraction .1 .1 .3 .3'), text())
 page.js('document.querySelector("#regions [data-region=window].name").focus()')
+page.one('#canvas').send_keys(Keys.ARROW_RIGHT * 5 + Keys.ARROW_LEFT * 5 + Keys.ARROW_UP * 3)
+moved = f'window +rect fraction  0.1 {.1 + 3 / side:.3f}'  # rounded with each key
+check('keys that follow one another fast are all taken', time_out(moved), text())
+page.one('#canvas').send_keys(Keys.ARROW_DOWN * 3)
+check('and taken back', near('window +rect fraction', .1, .1, .3, .3), text())
 page.drag(size, (side * .3, side * .7), (side * .35, side * .65), (side * .4, side * .6))  # its upper right corner
 check('a corner is moved by the pointer', near('window +rect fraction', .1, .1, .4, .4), text())
 page.one('#canvas').send_keys(Keys.DELETE)

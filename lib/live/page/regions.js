@@ -15,7 +15,10 @@ export class Regions {
   constructor(view, picture) {
     this.view = view;
     this.picture = picture;
-    this.entries = [];   // of the file
+    this.text = '';      // of the file, with changes that are still on their way to it
+    this.entries = [];   // of that text
+    this.turn = Promise.resolve();
+    this.waiting = 0;    // changes on their way
     this.outlines = new Map();
     this.selected = null;  // a name
     this.drawing = null;   // { kind, points } while a new one is drawn
@@ -48,7 +51,8 @@ export class Regions {
 
   // The table anew and, from the server, the outlines in the picture at hand.
   async show() {
-    this.entries = regions_of(this.file.text);
+    if (this.waiting) return;  // the last of them shows all
+    this.read_as(this.file.text);
     if (!this.entries.some((r) => r.name === this.selected)) this.selected = null;
     this.fill_table();
     this.fill_contrast();
@@ -137,6 +141,21 @@ export class Regions {
 
   // ---- saving
 
+  read_as(text) { [this.text, this.entries] = [text, regions_of(text)]; }
+
+  // One after another.
+  async in_turn(work) {
+    this.waiting++;
+    try { return await (this.turn = this.turn.then(work, work)); } finally { this.waiting--; }
+  }
+
+  // A change in what the page shows, at once, so that the next one begins from it; and in the file.
+  put(change) {
+    const next = change(this.text);
+    if (next !== null) this.read_as(next);
+    return this.in_turn(() => this.file.save(change));
+  }
+
   say(text, ...choices) {
     $('regions-say').replaceChildren(text, ...choices.map(([title, act]) => {
       const button = document.createElement('button');
@@ -147,19 +166,19 @@ export class Regions {
   }
 
   async save(change, select = this.selected) {
-    const said = await this.file.save(change);
+    const said = await this.put(change);
     if (said === 'conflict') {
       await this.show();
       return this.say(`${this.file.name} was changed by another program, which this change does not fit: it is as that program left it.`);
     }
     this.say(said);
-    if (said) return;
+    if (said) return this.read_as(this.file.text);
     this.selected = select;
     await this.show();
   }
 
   async undo() {
-    const said = await this.file.undo();
+    const said = await this.in_turn(() => this.file.undo());
     this.say(said === 'conflict' ? 'the file has been changed since' : said);
     await this.show();
   }
@@ -172,7 +191,7 @@ export class Regions {
   // The selected region after its shape has changed.
   async change_shape(shape) {
     const region = this.entries.find((r) => r.name === this.selected);
-    const mine = replace(region, region.name, shape_text(shape), true), said = await this.file.save(replace(region, region.name, shape_text(shape)));
+    const mine = replace(region, region.name, shape_text(shape), true), said = await this.put(replace(region, region.name, shape_text(shape)));
     if (said !== 'conflict') { this.say(said); return this.show(); }
     await this.show();
     const theirs = this.entries.find((r) => r.name === region.name);
@@ -204,7 +223,7 @@ export class Regions {
       await this.save(set_region(names[0], shape_text(shape)), names[0]);
       return names.length > 1 ? this.begin(kind, names.slice(1)) : undefined;
     }
-    const name = free_name(this.file.text);
+    const name = free_name(this.text);
     await this.save(add(name, shape_text(shape)), name);
     const field = document.querySelector(`#regions .name[data-region="${name}"]`);
     field?.focus();
