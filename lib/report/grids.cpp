@@ -35,6 +35,7 @@ bool set_kind(const std::string& text, GridColumn& c) {
 }
 
 Interval ratio(Interval over, Interval under, double factor) {
+    if (!(under.high > 0)) return {NAN, NAN};
     const double most = under.low > 0 ? over.high / under.low : std::numeric_limits<double>::infinity();
     return {factor * over.low / under.high, factor * most};
 }

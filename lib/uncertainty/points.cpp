@@ -99,13 +99,14 @@ Interval point_limits(const NoisyValues& v, size_t i, double alpha) {
 
 Interval mean_limits(const NoisyValues& v, double alpha) {
     if (v.degrees <= 0) return unknown;
+    if (!v.mean.known()) return {v.mean.value, v.mean.value};  // no frame differs from another one
     const Interval off = v.mean.around(alpha, v.mean.frames);
     return {v.mean.value + off.low, v.mean.value + off.high};
 }
 
 Interval shifted_limits(const NoisyValues& v, double alpha, double at,
                         const std::function<double(std::vector<double>)>& of) {
-    if (v.degrees <= 0 || std::isnan(mean_limits(v, alpha).low)) return unknown;
+    if (v.degrees <= 0) return unknown;
     const double t = student_quantile(alpha, v.degrees), common = share_in_common(v, at);
     const double blur = t / student_quantile(.05, v.degrees);  // 1 at 95 %
     const double errors = std::sqrt(1 - common) * blur + std::sqrt(common) * t;

@@ -61,6 +61,10 @@ check 'points that no light reaches are named: below the floor, for one' '
     printf "0 0 1 0 0 1\n0 0 -1 0 0 -1\n" > dark.pts
     ptrace -points dark.pts -frames 2 sky.rad room.rad 2>&1 > /dev/null |
         grep -x "ptrace: warning: dark.pts:2: no light arrives at this point: is it .*"'
+check 'but not under direct light alone, where shadows are dark and every frame is the same' '
+    ptrace -ab 0 -points dark.pts -frames 3 sky.rad room.rad 2> said | ptaccum -every 1 -o - |
+        vcmetrics -ci 95 -metrics dark.mean > rows
+    ! grep "no light" said; tail -n 1 rows | awk "{ exit !(\$3 > 0 && \$3 == \$4 && \$3 == \$5) }"'
 
 stream() { ptrace -points desk.pts -points wall.a.pts -frames "$1" sky.rad room.rad | ptaccum -every x2 -o -; }
 check 'vcmetrics prints numbers of each grid, with intervals' '

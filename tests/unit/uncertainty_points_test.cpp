@@ -55,6 +55,24 @@ TEST_CASE("without noise every interval is the number itself") {
     CHECK(share_from({1, 2, 3, 4}, 3) == doctest::Approx(.5));
 }
 
+TEST_CASE("frames that are all alike have no width from the second one on: direct light alone, or a dark grid") {
+    std::vector<image::Part> parts(2);
+    for (const float light : {1.0f, 0.0f}) {
+        for (image::Part& part : parts) part.frames = 1, part.grey = {light, 2 * light};
+        const NoisyValues v = noisy_values(parts, parts[0].grey.data(), 0, 2, 10);
+        const image::Grid grid{"g", 0, 2, true, ""};
+        for (const char* name : {"mean", "min", "max", "median", "share5"}) {
+            const auto n = report::grid_number(report::grid_columns({name}, {grid}, "")[0], {v}, .05);
+            CAPTURE(name);
+            CHECK(n.limits.low == n.value);
+            CHECK(n.limits.high == n.value);
+        }
+        const auto u = report::grid_number(report::grid_columns({"U0"}, {grid}, "")[0], {v}, .05);
+        CHECK(std::isnan(u.limits.low) == (light == 0));
+        CHECK(std::isnan(u.limits.high) == (light == 0));
+    }
+}
+
 TEST_CASE("fewer than two parts: no interval") {
     const std::vector<float> whole = {1, 2};
     const NoisyValues v = noisy_values({}, whole.data(), 0, 2, 1);

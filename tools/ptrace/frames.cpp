@@ -14,11 +14,11 @@
 
 namespace {
 
-// Names points that none of their first samples has found light for.
+// Names points that none of their first samples has found light for.  Shadows are no news under direct light alone.
 class DarkPoints {
 public:
     DarkPoints(const Options& opt, uint32_t samples_per_frame)
-        : opt_(opt), of_frame_(samples_per_frame), lit_(image::count_of(opt.grids), false) {}
+        : opt_(opt), of_frame_(samples_per_frame), lit_(opt.render.ab > 0 ? image::count_of(opt.grids) : 0) {}
     void add(const std::vector<float>& frame) {
         if (lit_.empty()) return;
         for (size_t i = 0; i < lit_.size(); ++i)

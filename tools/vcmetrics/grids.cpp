@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include <tuple>
 #include <utility>
 
 #include "base/error.h"
@@ -34,7 +35,6 @@ std::vector<image::Point> points_of(const Options& o, const std::vector<image::G
 // A picture of points has no view, and is compared with no other.
 void refuse_options_of_views(const Options& o) {
     const std::pair<const char*, bool> of_views[] = {{"-against", !o.against.empty()},
-                                                     {"-control", !o.control.empty()},
                                                      {"-go-on", o.go_on},
                                                      {"-c", !o.check_file.empty()},
                                                      {"-sources", o.list_sources},
@@ -62,9 +62,10 @@ std::vector<std::string> names_of_points(bool by_number, bool skies) {
     return names;
 }
 
-GridState begin(const Options& o, const image::Header& h) {
+GridState begin(const Options& o, const image::Header& h, Progress progress) {
     refuse_options_of_views(o);
     GridState s;
+    s.progress = std::move(progress);
     if (!o.points_files.empty() || !o.over_file.empty()) s.points = points_of(o, h.grids);
     if (!h.grids[0].sensors && !o.like_rtrace && !o.each)
         base::fail("", "the picture holds radiances along rays; -each or -like rtrace prints them");
@@ -111,11 +112,14 @@ std::string row_of(const Options& o, const GridState& s, int64_t frame, double s
 
 GridStep step(const Options& o, GridState s, image::Picture& p, int64_t frame, double seconds) {
     const image::Header& h = p.header;
+    const std::string label = image::label(h);
+    s.progress = begin(o, std::move(s.progress), label, h.frames.value_or(0));
+    if (s.progress.done) return {std::move(s), "", {}};
     if (image::count_of(h.grids) > size_t(p.width) * size_t(p.height))
         base::fail("", "GRID= lines have more points than pixels");
     const bool first = s.columns.empty(), plain = !o.each && !o.like_rtrace;
     std::string text = !first && h.sky_name != s.header.sky_name ? rows_of_points(o, s) : "";
-    if (first) s = begin(o, h);
+    if (first) s = begin(o, h, std::move(s.progress));
     if (first && !o.like_rtrace) text += header_line(s.names, o.format);
     const std::vector<float> grey = image::grey_of(p.rgb);
     const int64_t n = h.frames.value_or(0);
@@ -131,9 +135,10 @@ GridStep step(const Options& o, GridState s, image::Picture& p, int64_t frame, d
     if (plain) text += row_of(o, s, frame, seconds);
     // Two pictures in a row: of many looks at a rule, single ones find that it holds before it does.
     if (!s.rule.empty()) s.held = n >= uncertainty::least_frames && rule_holds(s) ? s.held + 1 : 0;
-    s.done = s.held >= 2;
-    const bool ends = s.done || (o.max_frames && n >= *o.max_frames) || (o.max_seconds && seconds >= *o.max_seconds);
-    return {std::move(s), text, ends};
+    Verdict verdict;
+    std::tie(s.progress, verdict) = decide(o, {s.held >= 2, "-until holds", ""}, std::move(s.progress),
+                                           {n, seconds, nullptr, false, p.width, p.height, h.last_frame == frame});
+    return {std::move(s), text, verdict};
 }
 
 void draw_map(const Options& o, const GridState& s) {
@@ -185,5 +190,3 @@ std::string rows_of_points(const Options& o, const GridState& s) {
         }
     return text;
 }
-
-int status(const Options& o, const GridState& s) { return o.until.empty() || s.done ? 0 : 4; }

@@ -8,6 +8,7 @@
 #include "options.h"
 #include "report/grids.h"
 #include "report/until.h"
+#include "stopping.h"
 
 // State between two pictures; without columns there was none yet.
 struct GridState {
@@ -21,13 +22,13 @@ struct GridState {
     std::vector<uncertainty::NoisyValues> grids;
     std::vector<image::Point> points;  // of -points, where they are needed
     int held = 0;                      // how many pictures in a row the rule has held at
-    bool done = false;
+    Progress progress;
 };
 
 struct GridStep {
     GridState state;
     std::string text;  // rows to print
-    bool ends = false;
+    Verdict verdict;
 };
 // Uses up the picture's pixels.
 GridStep step(const Options& options, GridState state, image::Picture& picture, int64_t frame, double seconds);
@@ -37,4 +38,3 @@ void draw_map(const Options& options, const GridState& state);
 
 // The rows of -each and -like rtrace, of the state's picture.
 std::string rows_of_points(const Options& options, const GridState& state);
-int status(const Options& options, const GridState& state);

@@ -60,6 +60,14 @@ bool may_measure_grids(const Options& o) {
     return std::any_of(names.begin(), names.end(), may_be_of_grid);
 }
 
+// Says and sends what was decided; whether the run ends.
+bool follow(const Options& o, const Verdict& v) {
+    if (!v.says.empty()) base::say(v.says);
+    if (!v.stops && !v.command.empty()) base::send_command(o.control, v.command);
+    return v.stops;
+}
+
+// Whether the run ends.
 bool measures(const Options& o, GridState& state, image::Picture& picture, const PicturePlace& place,
               const RunState& run) {
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - run.start).count();
@@ -67,15 +75,12 @@ bool measures(const Options& o, GridState& state, image::Picture& picture, const
     state = std::move(next.state);
     if (!next.text.empty()) print(next.text);
     if (!o.over_file.empty()) draw_map(o, state);
-    return next.ends;
+    return follow(o, next.verdict);
 }
 
 int end_of(const Options& o, const GridState& s) {
-    const int64_t n = s.header.frames.value_or(0);
-    if (s.done) base::say(fmt::format("vcmetrics: stopped after {} frames: -until holds", n));
-    else if (!o.until.empty()) base::say(fmt::format("vcmetrics: ended after {} frames: -until does not hold", n));
     if (const std::string text = rows_of_points(o, s); !text.empty()) print(text);
-    return status(o, s);
+    return status(o, s.progress);
 }
 
 }  // namespace
@@ -132,18 +137,16 @@ int measure_all(const Options& o) {
                 print(out.lines);
                 if (shows) std::swap(shown, copy);
                 if (!o.over_file.empty()) draw_measured(o, shown, run, row->measurement);
-                if (!row->verdict.says.empty()) base::say(row->verdict.says);
                 last = std::move(row);
-                if (last->verdict.stops) return end(status(o, run.progress));
-                if (!last->verdict.command.empty()) base::send_command(o.control, last->verdict.command);
+                if (follow(o, last->verdict)) return end(status(o, run.progress));
             }
             if (base::shutdown_requested()) return end(0);
         }
         run.sum = end_input(std::move(run.sum), place_of(file, 0).text, run.plan.needs_looks && run.plan.tells);
     }
+    say_end(o, grids.columns.empty() ? run.progress : grids.progress);
     if (!grids.columns.empty()) return end_of(o, grids);
     if (!planned) plan_run(o);  // says what is wrong
-    say_end(o, run.progress);
     if (o.mode == OutputMode::evalglare && o.evalglare.ev_only) return 1;  // as evalglare -V
     return end(status(o, run.progress));
 }

@@ -100,7 +100,7 @@ std::pair<RunState, std::optional<Row>> step(const Options& o, RunState run, ima
     const Luminance& lum = run.reading.lum;
     const MeasuredSum sum{row.frame, row.seconds, run.sum.looked ? &run.sum.look : nullptr, bool(lum.moments),
                           lum.width, lum.height,  p.header.last_frame == row.frame};
-    std::tie(run.progress, row.verdict) = decide(o, plan.rule, std::move(run.progress), sum);
+    std::tie(run.progress, row.verdict) = decide(o, ask(plan.rule, sum), std::move(run.progress), sum);
     row.settled = run.progress.held;
     return {std::move(run), std::move(row)};
 }

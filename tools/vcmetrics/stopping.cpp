@@ -30,9 +30,10 @@ size_t column_of(const std::vector<Column>& columns, const std::string& name, co
     base::fail("-until", why + "there is no column \"" + name + "\" in this run");
 }
 
-// reason, out_of_reach: why it holds, and why it never will.
-bool rule_holds(const StopRule& rule, const MeasuredSum& sum, std::string& reason, std::string& out_of_reach) {
-    if (!rule.rule || !sum.looked || sum.frames < uncertainty::least_frames) return false;
+}  // namespace
+
+Asked ask(const StopRule& rule, const MeasuredSum& sum) {
+    if (!rule.rule || !sum.looked || sum.frames < uncertainty::least_frames) return {};
     const auto estimate = [&](size_t k) { return sum.looked->estimate(k); };
     const auto of_pixels = [&](std::optional<size_t> k) {
         return k && sum.moments ? std::optional(estimate(*k)) : std::nullopt;
@@ -42,13 +43,11 @@ bool rule_holds(const StopRule& rule, const MeasuredSum& sum, std::string& reaso
     for (size_t k : rule.watched) estimates.push_back(estimate(k));
     for (const auto& k : rule.pixels) pixels.of_tolerances.push_back(of_pixels(k));
     const uncertainty::Estimate dgp = estimate(rule.dgp);
-    out_of_reach = rule.rule->out_of_reach(estimates, dgp, pixels, sum.width, sum.height);
-    if (!rule.rule->holds(estimates, dgp, pixels)) return false;
-    reason = rule.rule->reason(estimates, dgp, pixels);
-    return true;
+    Asked out{rule.rule->holds(estimates, dgp, pixels), "",
+              rule.rule->out_of_reach(estimates, dgp, pixels, sum.width, sum.height)};
+    if (out.holds) out.reason = rule.rule->reason(estimates, dgp, pixels);
+    return out;
 }
-
-}  // namespace
 
 StopRule stop_rule(const Options& o, const std::vector<Column>& columns) {
     StopRule out;
@@ -78,23 +77,24 @@ Progress begin(const Options& o, Progress p, const std::string& label, int64_t n
     return p;
 }
 
-std::pair<Progress, Verdict> decide(const Options& o, const StopRule& rule, Progress p, const MeasuredSum& sum) {
-    std::string reason, out_of_reach;
+std::pair<Progress, Verdict> decide(const Options& o, const Asked& asked, Progress p, const MeasuredSum& sum) {
+    std::string reason;
     bool ends_all = o.control.empty();
     p.frames = sum.frames;
-    if (!p.done && rule_holds(rule, sum, reason, out_of_reach)) {
+    if (!p.done && asked.holds) {
         p.held = true;
-    } else if (!p.done && !out_of_reach.empty()) {
-        reason = out_of_reach;
+        reason = asked.reason;
+    } else if (!p.done && !asked.out_of_reach.empty()) {
+        reason = asked.out_of_reach;
     } else if (o.max_frames && sum.frames >= *o.max_frames) {
         reason = "-max-frames is reached";
     } else if (o.max_seconds && sum.seconds >= *o.max_seconds) {
         reason = "-max-seconds is reached";
         ends_all = true;
     } else return {p, {}};
-    const bool of_rule = !p.done && (p.held || !out_of_reach.empty());
+    const bool of_rule = !p.done && (p.held || !asked.out_of_reach.empty());
     if (of_rule && o.go_on) ends_all = false;
-    else if (!p.held && rule.rule && out_of_reach.empty()) reason += ", -until does not hold yet";
+    else if (!p.held && !o.until.empty() && asked.out_of_reach.empty()) reason += ", -until does not hold yet";
 
     const std::string what = p.label.empty() ? "" : p.label + ": ";
     const char* const how = ends_all || !o.go_on ? "stopped" : p.held ? "settled" : "cannot settle";
