@@ -51,6 +51,36 @@ check 'maps of each grid: autonomy, useful illuminance, hours of sun' '
         grep -q ">$text" plan.svg
     done
     vcyear -plot plan.png -points free.pts -points desk.pts all.tsv > says; head -c 4 plan.png | grep -q PNG'
+check 'a folder for Honeybee: columns of lit hours, rows of sensors, as text and as arrays; all hours in the schedule' '
+    vcyear -direct sun.tsv -honeybee hb all.tsv > says
+    [ "$(tr "\n" " " < hb/sun-up-hours.txt)" = "489.5 492.5 1905.5 1908.5 " ]
+    [ "$(grep -n 1 hb/schedule.txt | tr "\n" " ")" = "486:1 490:1 493:1 1902:1 1906:1 1909:1 " ]
+    [ "$(wc -l < hb/schedule.txt)" = 8760 ]
+    python3 - <<END
+import ast, json, struct
+def array(path):
+    data = open(path, "rb").read()
+    assert data[:8] == b"\x93NUMPY\x01\x00" and data[-1:] != b"\n"
+    size = 10 + struct.unpack("<H", data[8:10])[0]
+    head = ast.literal_eval(data[10:size].decode())
+    assert size % 64 == 0 and head["descr"] == "<f4" and not head["fortran_order"], head
+    rows, columns = head["shape"]
+    assert len(data) == size + 4 * rows * columns
+    return [struct.unpack(f"<{columns}f", data[size + 4 * columns * k:][:4 * columns]) for k in range(rows)]
+info = json.load(open("hb/grids_info.json"))
+assert [(g["full_id"], g["count"]) for g in info] == [("desk", 3), ("free", 1)]
+total = array("hb/__static_apertures__/default/total/desk.npy")
+sun = array("hb/__static_apertures__/default/direct/desk.npy")
+table = [row.split("\t") for row in open("all.tsv")]
+hours = ["0121_0930", "0121_1230", "0321_0930", "0321_1230"]
+for k, row in enumerate(total):
+    for hour, lux in zip(hours, row):
+        is_ = next(float(r[3]) for r in table if r[:3] == [hour, "desk", str(k)])
+        assert abs(lux - is_) <= 1e-6 * is_, (hour, k, lux, is_)
+assert all(0 < s < t for s, t in zip(sun[0], total[0])) and not any(sun[1] + sun[2])
+text = [[float(x) for x in line.split("\t")] for line in open("hb/desk.ill")]
+assert all(abs(a - b) <= 1e-5 * b for x, y in zip(text, total) for a, b in zip(x, y))
+END'
 check_error 'maps need all points' 1 '^vcyear: -plot: needs the points of "free": -points FILE$' '
     vcyear -plot plan.svg -points desk.pts all.tsv'
 check_error 'and no others' 1 '^vcyear: free.pts: has 2 points, the table 1 sensors$' '
@@ -62,8 +92,10 @@ check_error 'other sensors' 1 '^vcyear: -direct: has other sensors in desk than 
     grep -v "desk	2" sun.tsv > other.tsv; vcyear -direct other.tsv all.tsv'
 check_error 'limits that fall' 1 '^vcyear: -udi: its illuminances rise$' 'vcyear -udi 100 3000 300 all.tsv'
 check_error 'a sensor has no worst view' 1 '^vcyear: -worst: is of views, not of sensors$' 'vcyear -worst 3 all.tsv'
-check_error 'nor a file of glare for Honeybee' 1 '^vcyear: -honeybee: is of views, not of sensors$' '
-    vcyear -honeybee folder all.tsv; test ! -e folder'
+check_error 'a sensor of a grid that is no file name' 1 '^vcyear: -honeybee: ".desk" cannot be the name of a file$' '
+    sed "s,desk,.desk," all.tsv > other.tsv; vcyear -honeybee folder other.tsv || test -e folder'
+check_error 'direct sun of other hours' 1 '^vcyear: -direct: does not have the hours of the table$' '
+    grep -v ^0121_0930 sun.tsv > other.tsv; vcyear -direct other.tsv -honeybee folder all.tsv'
 printf 'sky\tDGP\tDGP.lo\tDGP.hi\tpixels\n0121_0930\t.3\t.3\t.3\t9999\n' > view.tsv
 check_error 'a view has no sensors' 1 '^vcyear: -each: is of sensors .vcmetrics -each., not of views$' '
     vcyear -each view.tsv'

@@ -29,18 +29,20 @@ std::string table(const std::vector<year::Verdict>& verdicts, report::TableForma
     return text;
 }
 
-// Null without -direct.
-const year::Grid* direct_of(const year::Grid& grid, const std::vector<year::Grid>& direct) {
-    if (direct.empty()) return nullptr;
-    const auto found =
-        std::find_if(direct.begin(), direct.end(), [&](const year::Grid& g) { return g.name == grid.name; });
-    if (found == direct.end()) base::fail("-direct", "has no grid \"" + grid.name + "\"");
-    return &*found;
+// The same grids under direct sun alone, in the same order.
+std::vector<year::Grid> read_direct(const std::vector<std::string>& paths, const std::vector<year::Grid>& grids) {
+    std::vector<year::Grid> read = year::read_tables(paths).grids, direct;
+    for (const year::Grid& grid : grids) {
+        const auto found = std::find_if(read.begin(), read.end(), [&](const year::Grid& g) { return g.name == grid.name; });
+        if (found == read.end()) base::fail("-direct", "has no grid \"" + grid.name + "\"");
+        direct.push_back(std::move(*found));
+    }
+    return direct;
 }
 
 void refuse_options_of_views(const Options& o) {
     const std::pair<const char*, bool> of_views[] = {
-        {"-next", o.next}, {"-worst", o.worst > 0}, {"-view", !o.view.empty()}, {"-honeybee", !o.honeybee.empty()}};
+        {"-next", o.next}, {"-worst", o.worst > 0}, {"-view", !o.view.empty()}};
     for (const auto& [name, given] : of_views)
         if (given) base::fail(name, "is of views, not of sensors");
 }
@@ -56,12 +58,13 @@ std::string table(const std::vector<year::GridYear>& years, bool each, report::T
 
 std::string answer(const Options& o, const std::vector<year::Grid>& grids) {
     refuse_options_of_views(o);
-    const std::vector<year::Grid> direct =
-        o.direct.empty() ? std::vector<year::Grid>() : year::read_tables(o.direct).grids;
+    std::vector<year::Grid> direct;
+    if (!o.direct.empty()) direct = read_direct(o.direct, grids);
     std::vector<year::GridYear> years;
-    for (const year::Grid& g : grids)
-        years.push_back(year::judge(g, direct_of(g, direct), o.goals, 1 - o.percent / 100));
+    for (size_t g = 0; g < grids.size(); ++g)
+        years.push_back(year::judge(grids[g], direct.empty() ? nullptr : &direct[g], o.goals, 1 - o.percent / 100));
     if (!o.plot.empty()) year::write_maps(o.plot, years, o.points, o.goals);
+    if (!o.honeybee.empty()) year::write_honeybee(o.honeybee, grids, direct);
     if (o.format || o.each) return table(years, o.each, o.format.value_or(report::TableFormat::tsv));
     std::string text;
     for (const year::GridYear& y : years) text += year::summary(y, o.goals);
