@@ -65,7 +65,8 @@ std::vector<size_t> write_hours(const std::string& folder, const std::vector<Ite
 template <class Item>
 void require_same_hours(const std::vector<Item>& items) {
     for (const Item& item : items)
-        if (!same_hours(items[0].hours, item.hours)) base::fail(item.name, "does not have the hours of " + items[0].name);
+        if (!same_hours(items[0].hours, item.hours))
+            base::fail(item.name, "does not have the hours of " + items[0].name);
 }
 
 // A row a row, values apart by tabs.
@@ -73,7 +74,8 @@ template <class Value>
 std::string text_rows(size_t rows, const std::vector<size_t>& columns, const Value& value) {
     std::string text;
     for (size_t row = 0; row < rows; ++row)
-        for (const size_t i : columns) text += fmt::format("{:.6g}{}", value(row, i), i == columns.back() ? "\n" : "\t");
+        for (const size_t i : columns)
+            text += fmt::format("{:.6g}{}", value(row, i), i == columns.back() ? "\n" : "\t");
     return text;
 }
 

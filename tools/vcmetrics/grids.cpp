@@ -34,12 +34,10 @@ std::vector<image::Point> points_of(const Options& o, const std::vector<image::G
 
 // A picture of points has no view, and is compared with no other.
 void refuse_options_of_views(const Options& o) {
-    const std::pair<const char*, bool> of_views[] = {{"-against", !o.against.empty()},
-                                                     {"-go-on", o.go_on},
-                                                     {"-c", !o.check_file.empty()},
-                                                     {"-sources", o.list_sources},
-                                                     {"-regions", !o.regions_file.empty()},
-                                                     {"-like", o.mode != OutputMode::vcmetrics}};
+    const std::pair<const char*, bool> of_views[] = {
+        {"-against", !o.against.empty()},      {"-go-on", o.go_on},
+        {"-c", !o.check_file.empty()},         {"-sources", o.list_sources},
+        {"-regions", !o.regions_file.empty()}, {"-like", o.mode != OutputMode::vcmetrics}};
     for (const auto& [name, given] : of_views)
         if (given) base::fail(name, "works on pictures of a view, not on pictures of points");
 }

@@ -146,7 +146,7 @@ int measure_all(const Options& o) {
     }
     say_end(o, grids.columns.empty() ? run.progress : grids.progress);
     if (!grids.columns.empty()) return end_of(o, grids);
-    if (!planned) plan_run(o);  // says what is wrong
+    if (!planned) plan_run(o);                                             // says what is wrong
     if (o.mode == OutputMode::evalglare && o.evalglare.ev_only) return 1;  // as evalglare -V
     return end(status(o, run.progress));
 }

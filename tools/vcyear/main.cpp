@@ -33,7 +33,8 @@ std::string table(const std::vector<year::Verdict>& verdicts, report::TableForma
 std::vector<year::Grid> read_direct(const std::vector<std::string>& paths, const std::vector<year::Grid>& grids) {
     std::vector<year::Grid> read = year::read_tables(paths).grids, direct;
     for (const year::Grid& grid : grids) {
-        const auto found = std::find_if(read.begin(), read.end(), [&](const year::Grid& g) { return g.name == grid.name; });
+        const auto found =
+            std::find_if(read.begin(), read.end(), [&](const year::Grid& g) { return g.name == grid.name; });
         if (found == read.end()) base::fail("-direct", "has no grid \"" + grid.name + "\"");
         direct.push_back(std::move(*found));
     }
