@@ -88,7 +88,7 @@ coverage-sensors: all ## the same of grids of sensors: SCENES="1070-1075" SEEDS=
 	@python3 studies/coverage/sensors.py -bin "$(BUILD)/bin" -out out/sensors -scenes "$(or $(SCENES),1070-1075)" \
 		-seeds $(or $(SEEDS),200) -frames $(or $(FRAMES),256)
 
-year: all ## the office's year, Mondays at four desks: out/year/report.html (WEATHER=site.epw HOURS='Mo-Fr 8-18')
+year: all ## a year at four desks, one day a month: out/year/report.html (WEATHER=site.epw HOURS='Mo-Fr 8-18')
 	@$(MAKE) -C studies/year -j $(JOBS) BIN="$(abspath $(BUILD))/bin"
 
 certificate: all ## docs/certificate.md: what is older than lib is measured again (SIZE=128 FRAMES=17)
@@ -134,5 +134,5 @@ setup:
 	@[ "$(SETUP)" = no ] || $(ISPC)
 
 .PHONY: help all everything demo live test test-gpu test-slurm test-deb test-sanitize fuzz deb wheel test-wheel \
-	certificate bench coverage coverage-sensors compare-radiance compare-evalglare \
+	certificate year bench coverage coverage-sensors compare-radiance compare-evalglare \
 	man site format lint install uninstall clean setup

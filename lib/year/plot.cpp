@@ -30,12 +30,28 @@ struct Rows {
 
 int x_of(const weather::Date& date) { return left + (date.in_leap_year() - 1) * day_width; }
 
-void add_hours(Canvas& c, const View& view, const Rows& rows, int y0) {
+// The fewest days from one to the next that has hours: as many are a column's width, so that single days are seen.
+int days_apart(const std::vector<View>& views) {
+    std::vector<bool> has(days + 1);
+    for (const View& view : views)
+        for (const Hour& h : view.hours) has[size_t(h.time.date.in_leap_year())] = true;
+    int least = days, before = -1;
+    for (int day = 1; day <= days; ++day) {
+        if (!has[size_t(day)]) continue;
+        if (before > 0) least = std::min(least, day - before);
+        before = day;
+    }
+    return least == days ? 1 : least;
+}
+
+void add_hours(Canvas& c, const View& view, const Rows& rows, int wide_days, int y0) {
+    const int width = wide_days * day_width, end = left + days * day_width;
     c.of(nothing).push_back({left, y0, days * day_width, rows.height()});
     for (const Hour& h : view.hours) {
         const bool open = std::any_of(limits.begin(), limits.end(), [&](double limit) { return holds(h, limit); });
-        const Rectangle r{x_of(h.time.date), y0 + (int(h.time.hour) - rows.first) * hour_height, day_width, hour_height,
-                          open};
+        const int x = x_of(h.time.date) - (width - day_width) / 2, x0 = std::max(left, x),
+                  x1 = std::min(end, x + width);
+        const Rectangle r{x0, y0 + (int(h.time.hour) - rows.first) * hour_height, x1 - x0, hour_height, open};
         c.of(h.dark ? night : classes[class_of(h.dgp.value)]).push_back(r);
     }
     for (int hour = rows.first; hour <= rows.last; hour += 2)
@@ -57,7 +73,7 @@ void add_months(Canvas& c, const View& view, double alpha, int y) {
     }
 }
 
-void add_legend(Canvas& c, int y) {
+void add_legend(Canvas& c, int wide_days, int y) {
     int x = left;
     const auto entry = [&](const display::Colour& colour, const std::string& text, bool hatched = false) {
         c.of(colour).push_back({x, y, 12, 12, hatched});
@@ -70,7 +86,8 @@ void add_legend(Canvas& c, int y) {
     entry(classes[3], "above 0.45");
     entry(night, "dark");
     entry(classes[0], "undecided", true);
-    c.words.push_back({x, y, "below months: hours above 0.40"});
+    c.words.push_back(
+        {x, y, "below months: hours above 0.40" + (wide_days > 1 ? fmt::format("; days {} apart", wide_days) : "")});
 }
 
 }  // namespace
@@ -78,14 +95,15 @@ void add_legend(Canvas& c, int y) {
 void write_plot(const std::string& path, const std::vector<View>& views, double alpha) {
     Canvas c;
     c.width = left + days * day_width + 8;
+    const int wide_days = days_apart(views);
     for (const View& view : views) {
         const Rows rows(view);
         c.words.push_back({left, c.height + 6, view.name.empty() ? "DGP, standard time" : view.name});
-        add_hours(c, view, rows, c.height + top);
+        add_hours(c, view, rows, wide_days, c.height + top);
         add_months(c, view, alpha, c.height + top + rows.height());
         c.height += top + rows.height() + bottom;
     }
-    add_legend(c, c.height + 6);
+    add_legend(c, wide_days, c.height + 6);
     c.height += top;
     display::write_canvas(path, c, "vcyear");
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The heat map of a year: days from the left to the right, hours from the top down, the colour by DGP; hours whose
-// interval holds a limit are hatched.  Below each month stands its number of hours above .40, with its interval.
+// interval holds a limit are hatched.  Where only some days have hours a column is as wide as they are apart.
 #pragma once
 #include <string>
 #include <vector>

@@ -9,32 +9,49 @@ import pathlib
 import subprocess
 import sys
 
-COLOURS = {"high": "#2a9d6f", "medium": "#c9b400", "minimum": "#e07b20", "none": "#aa1432", "undecided": "#888"}
+COLOURS = {"high": "#2a9d6f", "medium": "#c9b400", "minimum": "#e07b20", "none": "#aa1432", "undecided": "#334"}
 STYLE = ("body { font: 14px sans-serif; margin: 2em } td, th { padding: 3px 10px; text-align: right } "
-         "figure { display: inline-block; margin: 4px } img, svg { max-width: 100% }")
+         "figure { display: inline-block; margin: 4px } img, svg { max-width: 100%; height: auto } "
+         "figure img { width: 192px } .beside { display: flex; align-items: start; gap: 2em } "
+         ".plan text { font-weight: bold; paint-order: stroke; stroke: #fff; stroke-width: 3px }")
 SCALE = 60  # pixels a metre
+FALSECOLOR = ["-tone", "falsecolor", "-nolegend", "-max", "20000", "-decades", "4"]
 
 
 def views_of(path):
-    """Name -> point and direction."""
+    """Name -> point, direction, options of ptrace."""
     views = {}
     for line in open(path):
         words = line.split()
         if len(words) > 2 and words[0] == "VIEW=":
             numbers = {o: [float(x) for x in words[words.index(o) + 1:words.index(o) + 4]] for o in ("-vp", "-vd")}
-            views[words[1]] = numbers["-vp"], numbers["-vd"]
+            views[words[1]] = numbers["-vp"], numbers["-vd"], words[2:]
     return views
 
 
-def plan(views, rows, corners):
-    """The room with an arrow for each view, in the colour of its class."""
-    west, south, east, north = map(float, corners.split())
+def render(out, name, hour, weather, scene, size, words, tone):
+    """Writes OUT/NAME_HOUR.png and returns its name."""
+    ptrace = subprocess.Popen(["ptrace", "-w-", *words, "-x", str(size[0]), "-y", str(size[1]), "-wea", weather,
+                               "-hours", hour, "-frames", "17", *scene],
+                              stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
+    subprocess.run(["ptaccum", "-last", "-o", str(out / f"{name}_%s.png"), *tone], stdin=ptrace.stdout, check=True)
+    ptrace.wait()
+    return f"{name}_{hour}.png"
+
+
+def plan(out, views, rows, hour, corners, weather, scene):
+    """The room from above with an arrow for each view, in the colour of its class."""
+    west, south, east, north, top = map(float, corners.split())
     width, height = (east - west) * SCALE, (north - south) * SCALE
-    out = [f'<svg width="{width + 20:.0f}" height="{height + 20:.0f}" '
+    above = (f"-vtl -vp {(west + east) / 2} {(south + north) / 2} {top} -vd 0 0 -1 -vu 0 1 0 -vh {east - west} "
+             f"-vv {north - south}")
+    room = render(out, "plan", hour, weather, scene, (round(width), round(height)), above.split(), ["-stops", "1"])
+    out = [f'<svg class="plan" width="{width + 20:.0f}" height="{height + 20:.0f}" '
            f'viewBox="-10 -10 {width + 20:.0f} {height + 20:.0f}">',
+           f'<image href="{room}" width="{width:.0f}" height="{height:.0f}" opacity=".6"/>',
            f'<rect width="{width:.0f}" height="{height:.0f}" fill="none" stroke="#000" stroke-width="3"/>']
     for row in rows:
-        (x, y, _), (dx, dy, _) = views[row["view"]]
+        (x, y, _), (dx, dy, _), _ = views[row["view"]]
         x, y, length = (x - west) * SCALE, (north - y) * SCALE, math.hypot(dx, dy)
         tip = x + 36 * dx / length, y - 36 * dy / length
         colour = COLOURS[row["class"]]
@@ -49,21 +66,8 @@ def between(row, name, form):
         float(row[name + ".hi"])) + "</small>"
 
 
-def picture(out, name, hour, views, weather, scene):
-    """The worst hour of a view in falsecolor; a file of views of one line says which."""
-    one = out / f"{name}.vf"
-    one.write_text("".join(line for line in open(views) if line.split()[1:2] == [name]))
-    ptrace = subprocess.Popen(["ptrace", "-w-", "-views", str(one), "-x", "192", "-y", "192", "-wea", weather,
-                               "-hours", hour, "-frames", "17", *scene],
-                              stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
-    subprocess.run(["ptaccum", "-last", "-o", str(out / "%s.png"), "-tone", "falsecolor", "-nolegend", "-max", "20000",
-                    "-decades", "4"], stdin=ptrace.stdout, check=True)
-    ptrace.wait()
-    return f"{name}_{hour}.png"
-
-
 def main():
-    out, views, weather, corners, scene = pathlib.Path(sys.argv[1]), sys.argv[2], sys.argv[3], sys.argv[4], sys.argv[5:]
+    out, views, weather, corners, scene = pathlib.Path(sys.argv[1]), views_of(sys.argv[2]), *sys.argv[3:5], sys.argv[5:]
     rows = list(csv.DictReader(open(out / "views.tsv"), delimiter="\t"))
     order = list(COLOURS)
     rows.sort(key=lambda row: (order.index(row["class"]), float(row["DGPe5"])))
@@ -75,12 +79,13 @@ def main():
         page.append(f'<tr><td>{html.escape(row["view"])}<td style="color:{COLOURS[row["class"]]}">{row["class"]}'
                     f'<td>{between(row, "DGPe5", "{:.3f}")}<td>{between(row, "above_0.40", "{:.0f}")}'
                     f'<td>{row["undecided"]}<td>{between(row, "GA", "{:.1%}")}')
-    page += ["</table><h1>Plan</h1>", plan(views_of(views), rows, corners), "<h1>Worst hours</h1>"]
+    page += ["</table><h1>Plan, and the worst hour of each view</h1><div class=beside>",
+             plan(out, views, rows, worst[0][2].split()[-1], corners, weather, scene), "<div>"]
     for dgp, view, command in worst:
-        name = picture(out, view, command.split()[-1], views, weather, scene)
+        name = render(out, view, command.split()[-1], weather, scene, (192, 192), views[view][2], FALSECOLOR)
         page.append(f'<figure><img src="{name}" alt="{name}"><figcaption>{html.escape(view)}, '
                     f"{command.split()[-1]}: DGP {dgp}</figcaption></figure>")
-    page += ["<h1>Hours</h1>", (out / "year.svg").read_text(), "</html>"]
+    page += ["</div></div><h1>Hours</h1>", (out / "year.svg").read_text(), "</html>"]
     (out / "report.part").write_text("\n".join(page))
     (out / "report.part").rename(out / "report.html")
 

@@ -197,6 +197,16 @@ TEST_CASE("a heat map as SVG and PNG") {
           std::string::npos);
 }
 
+TEST_CASE("single days are drawn as wide as they are apart, and the plot says so") {
+    TempFolder folder;
+    View v = ramp(24, .01);
+    for (int i = 0; i < 24; ++i) v.hours[size_t(i)].time.date = weather::date_of(i < 12 ? 20 : 48);
+    write_plot(folder.name("p.svg"), {v}, .05);
+    const std::string text = bytes_of(folder.name("p.svg"));
+    CHECK(text.find("days 28 apart") != std::string::npos);
+    CHECK(text.find("h84v12") != std::string::npos);
+}
+
 TEST_CASE("Honeybee's folder: a row a view, a column an hour that is not dark, hours of the year") {
     TempFolder folder;
     View v = ramp(48, 0);
@@ -210,11 +220,15 @@ TEST_CASE("Honeybee's folder: a row a view, a column an hour that is not dark, h
     CHECK(std::count(rows.begin(), rows.end(), '\t') == 2 * 22);
     CHECK(std::count(hours.begin(), hours.end(), '\n') == 23);
     CHECK(hours.substr(0, 5) == "12.5\n");
+    const std::string schedule = bytes_of(at + "/schedule.txt");
+    CHECK(std::count(schedule.begin(), schedule.end(), '1') == 47);
+    CHECK(schedule.size() == 2 * 8760);
     CHECK(bytes_of(at + "/grids_info.json").find("\"count\": 2") != std::string::npos);
     View w = v;
     w.hours.pop_back();
     w.name = "door";
     CHECK(error_text([&] { write_honeybee(at, {v, w}); }) == "door: does not have the hours of desk");
-    for (const char* file : {"/views.dgp", "/sun-up-hours.txt", "/grids_info.json"}) std::remove((at + file).c_str());
+    for (const char* file : {"/views.dgp", "/sun-up-hours.txt", "/schedule.txt", "/grids_info.json"})
+        std::remove((at + file).c_str());
     rmdir(at.c_str());
 }
