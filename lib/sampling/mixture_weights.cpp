@@ -205,9 +205,7 @@ private:
         for (const PilotPath& pilot : pilots_)
             sums.add(pilot, pilots_.size() == cosines_ ? 1 : pilot.weight,
                      (1 - share) * pilot.portal_pdf + share * pilot.highlight_pdf);
-        Moments light;
-        for (int bounce = 0; bounce < bounces_of_moments(par_); bounce++) light = sums.bounce(light, double(cosines_));
-        return light;
+        return sums.all_bounces(par_, double(cosines_));
     }
 };
 

@@ -36,14 +36,14 @@ struct PilotSums {
         throughput2 += weight * pilot.throughput * pilot.throughput / over;
     }
 
-    // The moments at a point, by this number of pilots, from those at the next bounce.
-    Moments bounce(const Moments& next, double pilots) const {
-        return {(gathered + throughput * next.mean) / pilots,
-                (gathered2 + 2 * both * next.mean + throughput2 * next.square) / pilots};
+    // The moments at a point by this number of pilots, bounce by bounce up to -ab; they have converged after 250.
+    Moments all_bounces(const kernels::Params& par, double pilots) const {
+        Moments at;
+        for (int bounce = std::min(par.ab, 250); bounce > 0; bounce--)
+            at = {(gathered + throughput * at.mean) / pilots,
+                  (gathered2 + 2 * both * at.mean + throughput2 * at.square) / pilots};
+        return at;
     }
 };
-
-// Bounces by which moments of the light have converged, or the limit of -ab.
-inline int bounces_of_moments(const kernels::Params& par) { return std::min(par.ab, 250); }
 
 }  // namespace sampling

@@ -161,13 +161,7 @@ private:
         return 1 - share + share * aimed_[i].pdf;
     }
 
-    // Second moment of the light of all bounces, whose mean is known.
-    double moment(const PilotSums& sums) const {
-        Moments light{mean_, 0};
-        for (int bounce = 0; bounce < bounces_of_moments(par_); bounce++)
-            light.square = sums.bounce(light, double(pilots_.size())).square;
-        return light.square;
-    }
+    double moment(const PilotSums& sums) const { return sums.all_bounces(par_, double(pilots_.size())).square; }
 
     double moment(double dimmed) const {
         PilotSums all;
