@@ -6,7 +6,9 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <pthread.h>
 #include <signal.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -18,7 +20,6 @@
 #include "base/error.h"
 #include "base/printable.h"
 #include "base/shell.h"
-#include "base/stack.h"
 #include "base/shutdown.h"
 #include "base/tempfile.h"
 #include "base/warnings.h"
@@ -92,6 +93,27 @@ int run_caught(const char* tool, const std::function<int()>& body) {
     }
 }
 
+// The stack that the limits of our readers need (expressions nested a thousand deep): the usual default of systems.
+constexpr size_t enough_stack = size_t(8) << 20;
+
+void* call(void* body) {
+    (*static_cast<const std::function<void()>*>(body))();
+    return nullptr;
+}
+
+// Calls body here, or, where `ulimit -s` leaves less stack, in a thread with a stack of its own.  It must not throw.
+void with_enough_stack(const std::function<void()>& body) {
+    struct rlimit limit = {};
+    if (getrlimit(RLIMIT_STACK, &limit) != 0 || limit.rlim_cur >= enough_stack) return body();
+    pthread_attr_t attributes;
+    pthread_attr_init(&attributes);
+    pthread_attr_setstacksize(&attributes, enough_stack);
+    pthread_t thread;
+    const bool started = pthread_create(&thread, &attributes, call, const_cast<std::function<void()>*>(&body)) == 0;
+    pthread_attr_destroy(&attributes);
+    if (started) pthread_join(thread, nullptr);
+    else body();
+}
 }  // namespace
 
 int run(const char* tool, const std::function<int()>& body) {

@@ -171,8 +171,4 @@ void Renderer::frame(int64_t k, std::vector<float>& rgb) {
     });
 }
 
-RayValue Renderer::trace_ray(const double origin[3], const double dir[3], int64_t samples) {
-    return render::trace_ray(*device_, plan_, origin, dir, samples);
-}
-
 }  // namespace render

@@ -12,7 +12,6 @@
 #include "image/picture.h"
 #include "render/options.h"
 #include "render/pixel_report.h"
-#include "render/trace_ray.h"
 #include "render/view_plan.h"
 #include "scene/object.h"
 
@@ -59,10 +58,11 @@ public:
     std::string seen(const scene::Scene& scene, double x, double y) const;  // seen.h
     MomentReport explain_moments(const scene::Scene& scene, int x, int y);
 
-    // For tests: one frame; the moments; a ray.
+    // For tests: one frame; the moments; its parts.
     void frame(int64_t k, std::vector<float>& rgb);
     image::Moments moments();
-    RayValue trace_ray(const double origin[3], const double dir[3], int64_t samples);
+    device::Device& device() const { return *device_; }
+    const ViewPlan& plan() const { return plan_; }
 
 private:
     std::unique_ptr<device::Device> device_;

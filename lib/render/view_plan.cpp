@@ -3,11 +3,11 @@
 #include "render/view_plan.h"
 
 #include <cerrno>
+#include <cmath>
 #include <fmt/core.h>
 
 #include "base/error.h"
 #include "base/memory.h"
-#include "render/eye_on_surface.h"
 #include "render/fingerprint.h"
 #include "render/scene_params.h"
 #include "render/view_params.h"
@@ -23,6 +23,23 @@ uint32_t samples_for_one(size_t pixels) {
     constexpr size_t enough = 256 * 256;
     return 4 * pixels <= enough ? 4 : 2 * pixels <= enough ? 2 : 1;
 }
+// Does the eye lie on a surface (PF_EYE_ON_SURFACE)?  Its rays must not hit that surface (RADIANCE: a hit within 1e-6
+// does not stop a ray), but rounding decides on which side of it they begin.  Of short rays through the eye, one
+// crosses each surface that contains it.
+bool eye_on_surface(const flatten::FlatScene& flat, const flatten::HostTracer& tracer, base::Vec3 eye) {
+    using base::Vec3;
+    const Vec3 p = eye - flat.centre;
+    const double size = flat.radius + std::fabs(p.x) + std::fabs(p.y) + std::fabs(p.z);
+    const double far = std::ldexp(size, -18);  // well above Surface.rounding
+    for (int k = 0; k < 27; k++) {
+        const Vec3 d{k % 3 - 1.0, k / 3 % 3 - 1.0, k / 9 - 1.0};
+        if (length(d) == 0) continue;
+        const Vec3 dir = base::unit(d);
+        if (tracer.closest(eye - dir * far, dir, 0, 2 * far, flatten::HostTracer::all).t >= 0) return true;
+    }
+    return false;
+}
+
 // All frames hold both classes, so that frame 0's noise cancels, and nothing is drawn by area.
 void plan_points(const RenderView& v, const flatten::FlatScene& flat, ViewPlan& plan) {
     device::Params& par = plan.sampling.params;

@@ -3,7 +3,7 @@
 #include "fuzz_folder.h"
 #include "fuzz_try.h"
 #include "scene/object.h"
-#include "render/progressive.h"
+#include "unit/trace_ray.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     scene::Limits limits;
@@ -22,7 +22,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
         v.vp = {.1, -2, .3};
         render::Renderer renderer(s, v, 2, 2, options, "cpu:baseline", {});
         const double origin[3] = {.1, .2, 5}, dir[3] = {0, 0, -1};
-        renderer.trace_ray(origin, dir, 8);
+        trace_ray(renderer, origin, dir, 8);
     });
     return 0;
 }

@@ -12,6 +12,7 @@
 #include "base/tempfile.h"
 #include "scene/object.h"
 #include "flatten/flatten.h"
+#include "unit/trace_ray.h"
 
 namespace parity {
 namespace {
@@ -95,7 +96,7 @@ Value RowTracer::trace(const Row& row) {
         }
     Value value;
     for (long n = std::min(fewest_, most_);; n = std::min(4 * n, most_)) {
-        const render::RayValue v = renderer_->trace_ray(ray.data(), ray.data() + 3, n);
+        const render::RayValue v = trace_ray(*renderer_, ray.data(), ray.data() + 3, n);
         value.mean.assign(v.mean, v.mean + 3);
         std::copy(v.error, v.error + 3, value.error);
         value.samples = n;

@@ -81,7 +81,7 @@ void expect_seen(const std::string& text, const std::vector<Seen>& seen, long sa
         render::Renderer renderer(scene, view::View(), 1, 1, one_bounce(), device, {});
         for (size_t i = 0; i < seen.size(); i++) {
             CAPTURE(i);
-            const auto value = renderer.trace_ray(seen[i].ray.origin, seen[i].ray.dir, samples);
+            const auto value = trace_ray(renderer, seen[i].ray.origin, seen[i].ray.dir, samples);
             CHECK(std::abs(value.mean[0] - seen[i].value) <= 4 * value.error[0] + 2e-5);
             CHECK(value.error[0] <= .1 * seen[i].value);
         }
@@ -201,7 +201,7 @@ TEST_CASE("shadow rays count surfaces in one place once") {
         const auto value = [&](const std::string& panes) {
             const scene::Scene scene = scene_of(floor + glass + panes);
             render::Renderer renderer(scene, view::View(), 1, 1, direct_only(), device, {});
-            return renderer.trace_ray(ray.origin, ray.dir, 64).mean[0];
+            return trace_ray(renderer, ray.origin, ray.dir, 64).mean[0];
         };
         const double one = value(at.square("H", true));
         CHECK(one > 0);
@@ -225,7 +225,7 @@ TEST_CASE("shadow rays do not meet a wall that a net in its place hides") {
         const std::string floor = "void plastic F 0 0 5 .5 .5 .5 0 0\n" + Place{}.square("F", true, -1, 9);
         const scene::Scene scene = scene_of(sun + floor + text);
         render::Renderer renderer(scene, view::View(), 1, 1, direct_only(), device, {});
-        return renderer.trace_ray(ray.origin, ray.dir, 64).mean[0];
+        return trace_ray(renderer, ray.origin, ray.dir, 64).mean[0];
     };
     for (const std::string& device : devices()) {
         CAPTURE(device);

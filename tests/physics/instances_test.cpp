@@ -80,7 +80,7 @@ TEST_CASE("an instance looks like its scene put there by xform") {
         for (double x = -9; x < 12; x += .7)
             for (double y = -6; y < 12; y += .7) {
                 const double o[3] = {x, y, 30}, d[3] = {.1, -.05, -1};
-                const auto v = one.trace_ray(o, d, 1), u = two.trace_ray(o, d, 1);
+                const auto v = trace_ray(one, o, d, 1), u = trace_ray(two, o, d, 1);
                 n++;
                 lit += u.mean[0] > 0;
                 different += std::abs(v.mean[0] - u.mean[0]) > 1e-3 * u.mean[0] + 1e-6;

@@ -85,7 +85,7 @@ void expect_lamps(unsigned seed, double off_plane, long samples) {
             const Vec3 at = place_of(i, 0), eye = at + Vec3{.3, .2, .5}, dir = at - eye;
             double want = 0;
             for (const Lamp& lamp : lamps) want += .5 / pi * lamp.irradiance(at);
-            const auto value = renderer.trace_ray(&eye.x, &dir.x, samples);
+            const auto value = trace_ray(renderer, &eye.x, &dir.x, samples);
             CHECK_MESSAGE(std::abs(value.mean[0] - want) <= 4 * value.error[0] + 1e-4 * want, value.mean[0], " +- ",
                           value.error[0], ", exact ", want);
             CHECK(value.error[0] <= .01 * want);

@@ -14,7 +14,7 @@
 #include "base/warnings.h"
 #include "scene/object.h"
 #include "device/device.h"
-#include "render/progressive.h"
+#include "unit/trace_ray.h"
 
 namespace laws {
 
@@ -44,7 +44,7 @@ inline void expect(const std::string& text, const render::RenderOptions& options
     for (const std::string& device : devices()) {
         CAPTURE(device);
         render::Renderer renderer(scene, view::View(), 1, 1, options, device, {});
-        const auto value = renderer.trace_ray(ray.origin, ray.dir, samples);
+        const auto value = trace_ray(renderer, ray.origin, ray.dir, samples);
         for (size_t c = 0; c < 3; ++c) {
             CAPTURE(c);
             const double want = exact[exact.size() == 3 ? c : 0];

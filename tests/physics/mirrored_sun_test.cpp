@@ -97,7 +97,7 @@ std::vector<double> radiances(const Reflection& r, const scene::Scene& scene) {
     std::vector<double> out;
     for (const base::Vec3& image : r.images) {
         const double eye[3] = {0, 0, 0}, dir[3] = {image.x, image.y, image.z};
-        out.push_back(renderer.trace_ray(eye, dir, 1 << 20).mean[1]);
+        out.push_back(trace_ray(renderer, eye, dir, 1 << 20).mean[1]);
         REQUIRE(out.back() > 1e3);
     }
     return out;

@@ -1,23 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// See trace_ray.h.
-#include "render/trace_ray.h"
-
+// Samples of a single ray, all classes of light (MODE_RAY), as rtrace gives them.
+#pragma once
 #include <algorithm>
 #include <cmath>
 
+#include "render/progressive.h"
 #include "sampling/mixture_weights.h"
 
 namespace render {
-using namespace kernels;
+
+struct RayValue {
+    double mean[3], error[3];  // error: standard error
+};
 
 constexpr float RAY_REST = 0.3f;  // light from other directions, over portals': a single ray does not repay pilots
 
-RayValue trace_ray(device::Device& device, const ViewPlan& plan, const double origin[3], const double dir[3],
-                   int64_t n) {
-    device::Params p = plan.sampling.params;
+// The ray is in world coordinates.
+inline RayValue trace_ray(const Renderer& renderer, const double origin[3], const double dir[3], int64_t n) {
+    using namespace kernels;
+    device::Params p = renderer.plan().sampling.params;
     p.mode = MODE_RAY;
     p.flags |= PF_EYE_ON_SURFACE;
-    sampling::pick_all_portals(uint32_t(plan.scene.tables->portals.size()), 1, RAY_REST, p);
+    sampling::pick_all_portals(uint32_t(renderer.plan().scene.tables->portals.size()), 1, RAY_REST, p);
     const base::Vec3 d = base::unit({dir[0], dir[1], dir[2]});
     p.ray_org = {float(origin[0] - p.centre.x), float(origin[1] - p.centre.y), float(origin[2] - p.centre.z)};
     p.ray_dir = {float(d.x), float(d.y), float(d.z)};
@@ -27,7 +31,7 @@ RayValue trace_ray(device::Device& device, const ViewPlan& plan, const double or
         p.frame = uint32_t(done);
         p.first = 0;
         p.path_count = uint32_t(std::min<int64_t>(n - done, 1 << 16));
-        device.run(p, rgb);
+        renderer.device().run(p, rgb);
         scrub(rgb);
         for (size_t i = 0; i < rgb.size(); i++) {
             sum[i % 3] += rgb[i];
