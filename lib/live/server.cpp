@@ -71,6 +71,7 @@ struct Server::State {
     Visitors visitors;
 
     std::optional<DesignFile> design;
+    std::mutex looking;  // at the day
     std::optional<Day> day;
     std::string against = "previous", said_against;
 
@@ -102,7 +103,7 @@ struct Server::State {
             give_opened(to);
             end_preview(to);
             design->look();
-            day->look();
+            look_at_day();
             say_base();
             lock.lock();
             if (!changed && Clock::now() - woken < longest_wait / 4) continue;
@@ -112,6 +113,11 @@ struct Server::State {
             else wake();
             lock.lock();
         }
+    }
+
+    void look_at_day() {
+        const std::lock_guard<std::mutex> lock(looking);
+        day->look();
     }
 
     // What vcmetrics compares with: the number of the base's edit, or the word that the file held at the start.
@@ -174,8 +180,11 @@ struct Server::State {
         if (request.refused) return send(connection, plain(request.refused, "no"));
         if (request.too_long) return send(connection, plain(MHD_HTTP_CONTENT_TOO_LARGE, "too long"));
         const auto asked = arguments(connection);
-        if (method == "POST")
-            return send(connection, answer_command({live, files, options.control}, path, asked, request.body));
+        if (method == "POST") {
+            const Answer done = answer_command({live, files, options.control}, path, asked, request.body);
+            look_at_day();  // hours of another model are no more
+            return send(connection, done);
+        }
         if (path == "/file" && method == "PUT") {
             std::string tag = header(connection, "If-Match");
             if (tag.size() >= 2 && tag.front() == '"') tag = tag.substr(1, tag.size() - 2);

@@ -4,7 +4,7 @@
 #   LINK: what vcview printed; STREAM: the pictures that it reads; LINES: its output; PIXELS: the last picture in
 #   falsecolor, 8-bit RGB; SOURCES: its glare sources, a JSON object a line; SAVED: a folder for what the page saves.
 #   A sentence for each check; status 1 if one fails.
-import json, os, re, struct, sys, time
+import json, os, re, struct, sys
 from selenium.webdriver.common.keys import Keys
 from browser_page import Page, check, link_in, soon
 
@@ -26,12 +26,10 @@ width, height, floats = last_picture(stream)
 page = Page(link_in(sys.argv[1]))
 check('all lines arrive', page.until(f'document.body.dataset.lines == {len(want)}'))
 check('the status says how far it is', page.until('document.getElementById("status").textContent.includes("frames")'))
-time.sleep(1)
 
 # the table has the last line's numbers
 names, last = want[0].split('\t'), want[-1].split('\t')
-rows = page.find('#table tbody tr')
-cells = {r[0].text: r[1].text for r in (row.find_elements('tag name', 'td') for row in rows)}
+cells = {name: value for name, value, *_ in page.rows('#table')}
 check('the table has the last line', all(
     abs(float(cells[n]) - float(v)) <= 5e-4 * abs(float(v)) for n, v in zip(names, last) if n in cells) and cells)
 check('curves are drawn', len(page.find('#plots path.curve')) > 0)
@@ -92,7 +90,7 @@ check('directions in the page are those of the server', wrong == 0, wrong)
 
 # glare sources
 want_sources = [json.loads(line) for line in open(sources)]
-page.one('#sources-panel summary').click()
+page.click('#sources-panel summary')
 check('the sources of vcmetrics -sources are listed', want_sources and page.until(
     f'document.querySelectorAll("#sources tbody tr").length == {len(want_sources)}'))
 got = page.chrome.execute_async_script('''
@@ -101,7 +99,7 @@ got = page.chrome.execute_async_script('''
         .then((a) => done(a.sources));''')
 without = lambda s: {k: v for k, v in s.items() if k not in ('frame', 'seconds')}
 check('with all of their numbers', [without(s) for s in got] == [without(s) for s in want_sources], got)
-rows = [[c.text for c in row.find_elements('tag name', 'td')] for row in page.find('#sources tbody tr')]
+rows = page.rows('#sources')
 check('the table has number, share and luminance, the largest share first', all(
     int(r[0]) == s['source'] and r[1] == f"{100 * s['DGPshare']:.1f} %" and abs(float(r[2]) / s['L'] - 1) < 6e-4
     for r, s in zip(rows, sorted(want_sources, key=lambda s: -s['DGPshare']))), rows)
@@ -121,21 +119,20 @@ page.chrome.execute_cdp_cmd('Browser.setDownloadBehavior',
                             {'behavior': 'allow', 'downloadPath': os.path.abspath(saved)})
 page.menu('Save')
 for kind in ('hdr', 'exr', 'png', 'svg', 'csv'):
-    page.one(f'#save-{kind}').click()
+    page.click(f'#save-{kind}')
     name = f'{saved}/luxpipe.{kind}'
     check(f'{kind} is saved', soon(lambda: os.path.exists(name) and os.path.getsize(name)))
 
 # keys: tone, keep, compare; nothing is restarted
-body = page.one('body')
 before = page.js('document.getElementById("tone").value')
-body.send_keys('t')
+page.keys('body', 't')
 page.menu('Scale')
 check('the scale of falsecolor is of falsecolor alone', not page.one('#legend').is_displayed()
       and not page.one('#top').is_displayed() and page.one('#stops').is_displayed())
 check('t changes the tone', page.js('document.getElementById("tone").value') != before)
-body.send_keys('k')
+page.keys('body', 'k')
 check('k keeps the picture to compare with', page.until('!document.getElementById("compare").disabled', 5))
-body.send_keys('c')
+page.keys('body', 'c')
 check('c changes the comparison', page.js('document.getElementById("compare").value') == 'beside')
 for kind, shown in (('falsecolor', True), ('photo', False)):
     page.chrome.execute_script(f"""const tone = document.getElementById('tone');

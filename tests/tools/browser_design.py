@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Two windows on one design, reloads, a broken scene, a lost network, an ended tracer: browser_design.py LINK PTRACE
 #   LINK: what vcview printed; PTRACE: the process that is killed at the end.
-import os, re, signal, sys, time
+import os, re, signal, sys
 from selenium.webdriver.common.keys import Keys
 from browser_page import Page, check, link_in, soon
 
 page = Page(link_in(sys.argv[1]))
 chrome, SECONDS = page.chrome, 90
-text = lambda css: page.js('document.querySelector(arguments[0]).innerText', css)
+text = page.text
 slats = lambda: page.js('[...document.querySelectorAll("#model-text button")].map((b) => b.textContent)')
-names = lambda: page.js('[...document.querySelectorAll("#edits tbody tr")].map((r) => r.cells[0].innerText)')
+names = lambda: [row[0] for row in page.rows('#edits')]
 windows = [chrome.current_window_handle]
 
 
@@ -17,8 +17,10 @@ def window(k):
     chrome.switch_to.window(windows[k])
 
 
-def choose(number):
-    [b for b in page.find('#model-text button') if b.text == number][0].click()
+def lower(number):
+    """The slider of this number goes to its end."""
+    page.click('#model-text button', number)
+    page.keys('#model-number input[type=range]', Keys.END)
 
 
 classes = 'imperceptible|perceptible|disturbing|intolerable'
@@ -52,8 +54,7 @@ check('the verdict is announced where it changes, not with each picture', soon(
     lambda: int(page.js('document.body.dataset.picture')) > int(heard) + 3) and page.js('heard') <= 1, page.js('heard'))
 
 # a change, and a reload
-choose('20')
-page.one('#model-number input[type=range]').send_keys(Keys.END)
+lower('20')
 check('a blind is lowered', soon(lambda: 'blind.rad: 20 → 40' in names(), SECONDS), names())
 chrome.refresh()
 check('after a reload the page shows what is rendered', soon(lambda: '40' in slats() and '20' not in slats(), SECONDS),
@@ -66,23 +67,19 @@ windows.append(chrome.current_window_handle)
 chrome.get(page.link)
 check('a second window shows the same', soon(lambda: '40' in slats() and 'blind.rad: 20 → 40' in names(), SECONDS),
       (slats(), names()))
-page.one('#model-undo').click()
+page.click('#model-undo')
 check('which can undo it', soon(lambda: '20' in slats()), slats())
 window(0)
 check('the first one follows', soon(lambda: '20' in slats() and 'blind.rad: undone' in names(), SECONDS),
       (slats(), names()))
 
 # a change of what is no more: this window hears nothing for a while
-chrome.execute_script('''const ask = window.fetch;
-    window.fetch = (path, ...more) => String(path).startsWith('/next') ? new Promise(() => {}) : ask(path, ...more);''')
-page.ask('/control', 'POST', b'pause\n')  # is news, so that the question that waits is answered
-time.sleep(1)
+page.js('window.deaf = true')
 body = open('blind.rad').read().replace('-a 20', '-a 30')
 version = page.ask('/overlay?n=1')[2].get('ETag').strip('"')
 check('another window is faster',
       page.ask(f'/overlay?n=1&version={version}&said=faster', 'POST', body.encode())[0] == 200)
-choose('20')
-page.one('#model-number input[type=range]').send_keys(Keys.END)
+lower('20')
 check('a stale change is refused, and shown',
       soon(lambda: 'not taken: blind.rad: 20 → 40' in text('#model-say')), text('#model-say'))
 check('the page shows the other one', soon(lambda: '30' in slats()), slats())
@@ -94,32 +91,29 @@ version = page.ask('/overlay?n=1')[2].get('ETag').strip('"')
 page.ask(f'/overlay?n=1&version={version}&said=broken', 'POST', b'void plastic\n')
 check('what is wrong in the scene is said in the page',
       soon(lambda: 'ptrace: blind.rad:' in text('#messages'), SECONDS), text('#messages'))
-page.one('#model-undo').click()
+page.click('#model-undo')
 check('as long as it is so', soon(lambda: not text('#messages'), SECONDS), text('#messages'))
 
 # variants
-variants = lambda: page.js('[...document.querySelectorAll("#variants tbody tr")].map((r) => [...r.cells].map((c) => '
-                           'c.querySelector("input")?.value ?? c.innerText))')
-page.one('body').send_keys('k')
+variants = lambda: page.rows('#variants')
+page.keys('body', 'k')
 check('k keeps the design as a variant, which is the base', soon(
     lambda: len(variants()) == 1 and page.one('#variants input[type=radio]').is_selected()), variants())
 check('with its number', soon(lambda: re.match(r'DGPf \.\d{3} \(', variants()[0][2]), SECONDS), variants())
-choose('30')
-page.one('#model-number input[type=range]').send_keys(Keys.END)
+lower('30')
 check('the base stands beside each change', soon(
     lambda: '30 → ' in names()[0] and any('A (base)' in n for n in names()), SECONDS), names())
-rows = lambda: page.js('[...document.querySelectorAll("#edits tbody tr")].map((r) => r.innerText)')
+rows = lambda: [' '.join(row) for row in page.rows('#edits')]
 check('with which changes are compared', soon(
     lambda: re.search('better|worse|lower|higher|not told', rows()[0]), SECONDS), rows())
-page.one('body').send_keys('k')
-soon(lambda: len(variants()) == 2)
-page.one('#variants tbody tr:nth-child(2) .name').send_keys(Keys.CONTROL + 'a' + Keys.NULL, 'low blind', Keys.TAB)
+page.keys('body', 'k')
+page.type('#variants tbody tr:nth-child(2) .name', 'low blind')
 check('it is given a name', soon(lambda: variants()[1][1] == 'low blind'), variants())
-page.one('#compare').send_keys('side')
+page.keys('#compare', 'side')
 halves = lambda: page.js("""((c) => [.25, .75].map((x) => [...c.getContext('2d').getImageData(x * c.width,
     c.height / 2, 1, 1).data].slice(0, 3).join(' ')))(document.getElementById('canvas'))""")
 check('two variants stand side by side in one scale', soon(lambda: len(set(halves())) == 2), halves())
-page.one('#variants tbody tr:nth-child(1) button').click()
+page.click('#variants tbody tr:nth-child(1) button')
 check('a variant is shown by one action', soon(lambda: '30' in slats() and names()[0].startswith('A'), SECONDS),
       (slats(), names()))
 chrome.refresh()
@@ -128,11 +122,11 @@ check('and can be shown again', soon(
     lambda: page.one('#variants tbody tr:nth-child(2) button').is_enabled(), SECONDS))
 
 # views
-page.one('#canvas').send_keys('w')
+page.keys('#canvas', 'w')
 check('a step is an edit', soon(lambda: names()[0].startswith('view'), SECONDS), names())
 check('Back can be used', soon(lambda: page.one('#back').is_enabled()))
 page.menu('View')
-page.one('#back').click()
+page.click('#back')
 check('Back goes back', soon(lambda: names()[0] == 'view' and names()[1].startswith('view'), SECONDS), names())
 check('to the first view', soon(lambda: not page.one('#back').is_enabled(), SECONDS))
 
@@ -148,8 +142,8 @@ check('and comes back by itself', soon(lambda: 'lost' not in text('#state'), SEC
 # the tracer is killed
 os.kill(int(sys.argv[2]), signal.SIGKILL)
 check('the end of the programs is said', soon(lambda: 'have ended' in text('#state'), SECONDS), text('#state'))
-check('what was typed is there', '30' in slats(), slats())
-page.one('#model-save').click()
+check('what was typed is there', soon(lambda: '30' in slats()), slats())
+page.click('#model-save')
 check('and can be saved', soon(lambda: '-a 30 ' in open('blind.rad').read()))
 check('as can the picture', page.ask('/save?as=exr')[1][:4] == b'\x76\x2f\x31\x01')
 page.errors()  # of the network

@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # A headless Chromium on the page of vcview, and sentences that must hold: what browser*.py share.
-import json, re, sys, time, urllib.request
+#   The page answers when it can: what follows an action waits for what it needs (soon, one, click, keys).  SLOW=8 makes
+#   the browser that much slower and each answer 50 ms late for each, to find what does not.
+import json, os, re, sys, time, urllib.request
 from selenium import webdriver
+from selenium.common.exceptions import WebDriverException
 from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
@@ -20,12 +23,23 @@ def link_in(name):
 
 
 def soon(question, seconds=20):
-    """Until question() is true, or not."""
+    """Until question() is true, or not.  What is not there yet, or no more, is no answer."""
     end = time.time() + seconds
-    while time.time() < end:
-        if question(): return True
+    while True:
+        try:
+            if question(): return True
+        except (WebDriverException, LookupError):
+            pass
+        if time.time() > end: return False
         time.sleep(.05)
-    return False
+
+
+# Answers to /next wait while the window is deaf.
+DEAF = """const ask = window.fetch; window.fetch = async (path, ...more) => {
+    const answer = await ask(path, ...more);
+    while (window.deaf && String(path).startsWith('/next')) await new Promise((go) => setTimeout(go, 20));
+    return answer;
+};"""
 
 
 class Page:
@@ -36,6 +50,11 @@ class Page:
         options.set_capability('goog:loggingPrefs', {'browser': 'ALL'})
         self.chrome = webdriver.Chrome(options=options)
         self.link = link
+        self.chrome.execute_cdp_cmd('Page.addScriptToEvaluateOnNewDocument', {'source': DEAF})
+        slow = int(os.environ.get('SLOW', 1))
+        if slow > 1:
+            self.chrome.execute_cdp_cmd('Emulation.setCPUThrottlingRate', {'rate': slow})
+            self.chrome.set_network_conditions(latency=50 * slow, download_throughput=1e9, upload_throughput=1e9)
         self.chrome.get(link)
 
     def js(self, script, *arguments):
@@ -47,13 +66,44 @@ class Page:
     def find(self, css):
         return self.chrome.find_elements(By.CSS_SELECTOR, css)
 
-    def one(self, css):
-        return self.chrome.find_element(By.CSS_SELECTOR, css)
+    def one(self, css, words='', does=lambda e: True, seconds=30):
+        """The first element of a selector, with these words (or among its words), which does it: when there is one."""
+        found = []
+
+        def done():
+            all = self.find(css)
+            found[:] = [e for e in all if not words or words in e.text]
+            found.sort(key=lambda e: words != '' and e.text != words)
+            return found and does(found[0]) is not False
+        if not soon(done, seconds): raise LookupError(f'{css} {words}: none, or none that can be used')
+        return found[0]
+
+    def click(self, css, words=''):
+        def press(e):
+            self.chrome.execute_script('arguments[0].scrollIntoView({block: "center"})', e)
+            return e.is_displayed() and e.is_enabled() and e.click() is None
+        return self.one(css, words, press)
+
+    def keys(self, css, *keys):
+        return self.one(css, '', lambda e: e.is_displayed() and e.is_enabled() and e.send_keys(*keys) is None)
+
+    def type(self, css, words, *keys):
+        self.keys(css, Keys.CONTROL + 'a' + Keys.NULL, words, *keys or [Keys.TAB])
+
+    def focus(self, css):
+        self.one(css, '', lambda e: self.js('arguments[0].focus() || document.activeElement === arguments[0]', e))
+
+    def text(self, css):
+        return self.js('document.querySelector(arguments[0]).innerText', css)
+
+    def rows(self, css):
+        """Words in the cells of a table's rows; fields have their value."""
+        return self.js("""[...document.querySelectorAll(arguments[0] + ' tbody tr')].map((r) => [...r.cells].map((c) =>
+            c.querySelector('input')?.value ?? c.innerText))""", css)
 
     def menu(self, name):
         """Opens a menu of the bar above the picture."""
-        if name not in [s.text for s in self.find('.menu[open] > summary')]:
-            [s for s in self.find('.menu > summary') if s.text == name][0].click()
+        if name not in [s.text for s in self.find('.menu[open] > summary')]: self.click('.menu > summary', name)
 
     def pixel_to_canvas(self, x, y, width, height):
         """From pixels (y from the top) to offsets from the middle of the canvas, as it shows the whole picture."""
@@ -73,7 +123,7 @@ class Page:
         if release: actions.release()
         actions.perform()
 
-    def click(self, size, *places):
+    def click_at(self, size, *places):
         for place in places: self.drag(size, place)
 
     def ask(self, path, method='GET', body=None, **headers):

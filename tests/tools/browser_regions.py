@@ -29,73 +29,69 @@ def near(start, *numbers):
     return soon(found)
 
 
-def fill(css, words):
-    soon(lambda: page.find(css))
-    page.one(css).send_keys(Keys.CONTROL + 'a' + Keys.NULL, words, Keys.TAB)
-
-
 kept = [line for line in text().splitlines() if line.startswith('#')]
 
-page.one('#draw-circle').click()
+page.click('#draw-circle')
 page.drag(size, (side * .3, side * .3), (side * .35, side * .3), (side * .4, side * .3))
 check('a circle that is drawn arrives in the file', time_out('region1  circle'), text())
-page.one('#draw-rect').click()
+page.click('#draw-rect')
 page.drag(size, (side * .25, side * .25), (side * .3, side * .3), (side * .5, side * .5))
 check('a rectangle arrives', near('region2  rect fraction', .25, .75, .5, .5), text())
-page.one('#draw-polygon').click()
-page.click(size, (side * .6, side * .3), (side * .7, side * .3), (side * .7, side * .4))
-page.one('#canvas').send_keys(Keys.ENTER)
+page.click('#draw-polygon')
+page.click_at(size, (side * .6, side * .3), (side * .7, side * .3), (side * .7, side * .4))
+page.keys('#canvas', Keys.ENTER)
 check('a polygon arrives', time_out('region3  polygon direction'), text())
 check('the table has them', rows(8))
 check('the name of the newest is chosen', page.until('document.activeElement.dataset.region === "region3"'))
 
-fill('#regions [data-region=region2].name', 'window')
+page.type('#regions [data-region=region2].name', 'window')
 check('a region is named', time_out('window +rect fraction'), text())
-fill('#regions [data-region=window].definition', 'rect fraction .1 .1 .2 .2')
+page.type('#regions [data-region=window].definition', 'rect fraction .1 .1 .2 .2')
 check('a region is edited as text', time_out('window +rect fraction .1 .1 .2 .2'), text())
 before = text()
-fill('#regions [data-region=window].definition', 'rect fraction .1')
+page.type('#regions [data-region=window].definition', 'rect fraction .1')
 check('what is wrong is said and not saved',
       page.until('document.getElementById("regions-say").textContent.includes("needs 4 numbers")') and text() == before)
-fill('#regions [data-region=window].definition', 'rect fraction .1 .1 .3 .3')
+page.type('#regions [data-region=window].definition', 'rect fraction .1 .1 .3 .3')
 time_out('.3 .3')
 
-page.js('document.querySelector("#regions [data-region=window].name").focus()')
-page.one('#canvas').send_keys(Keys.SHIFT, Keys.ARROW_RIGHT)
+page.focus('#regions [data-region=window].name')
+page.keys('#canvas', Keys.SHIFT, Keys.ARROW_RIGHT)
 moved = f'window +rect fraction  {round(.1 + 10 / side, 5):g}'
 check('arrow keys move the region that is chosen', time_out(moved), text())
-page.one('#regions-undo').click()
+page.click('#regions-undo')
 check('that is undone', time_out('window +rect fraction .1 .1 .3 .3'), text())
-page.js('document.querySelector("#regions [data-region=window].name").focus()')
-page.one('#canvas').send_keys(Keys.ARROW_RIGHT * 5 + Keys.ARROW_LEFT * 5 + Keys.ARROW_UP * 3)
+page.focus('#regions [data-region=window].name')
+page.keys('#canvas', Keys.ARROW_RIGHT * 5 + Keys.ARROW_LEFT * 5 + Keys.ARROW_UP * 3)
 moved = f'window +rect fraction  0.1 {.1 + 3 / side:.3f}'  # rounded with each key
 check('keys that follow one another fast are all taken', time_out(moved), text())
-page.one('#canvas').send_keys(Keys.ARROW_DOWN * 3)
+page.keys('#canvas', Keys.ARROW_DOWN * 3)
 check('and taken back', near('window +rect fraction', .1, .1, .3, .3), text())
 page.drag(size, (side * .3, side * .7), (side * .35, side * .65), (side * .4, side * .6))  # its upper right corner
 check('a corner is moved by the pointer', near('window +rect fraction', .1, .1, .4, .4), text())
-page.one('#canvas').send_keys(Keys.DELETE)
+page.keys('#canvas', Keys.DELETE)
 check('Delete deletes it', soon(lambda: 'window' not in text()), text())
 
 # somebody else writes the file
 with open(name, 'a') as file: file.write('byhand  circle view 20   # typed in an editor\n')
 check('a region that is typed into the file appears', rows(8))
 page.chrome.set_network_conditions(latency=1500, download_throughput=1e9, upload_throughput=1e9)
-page.js('document.querySelector("#regions [data-region=region1].name").focus()')
+page.focus('#regions [data-region=region1].name')
 with open(name, 'a') as file: file.write('another  circle view 30\n')
-page.one('#canvas').send_keys(Keys.DELETE)
+page.keys('#canvas', Keys.DELETE)
 check('a change in the page meets one by hand: both are kept',
       soon(lambda: 'region1' not in text() and 'another  circle view 30\n' in text()), text())
-page.until('document.querySelector("#regions [data-region=another].name") !== null')
-page.js('document.querySelector("#regions [data-region=another].name").focus()')
+page.focus('#regions [data-region=another].name')
+page.js('window.deaf = true')
 with open(name) as file: theirs = file.read().replace('another  circle view 30', 'another  circle view 33')
 with open(name, 'w') as file: file.write(theirs)
-page.one('#canvas').send_keys(Keys.DELETE)
+page.keys('#canvas', Keys.DELETE)
 check('both have changed the same region: the file stays, and the page says so',
       page.until('document.getElementById("regions-say").textContent.includes("another program")')
       and text() == theirs, text())
 check('comments are kept', '# typed in an editor' in text() and
       all(line in text().splitlines() for line in kept), text())
+page.js('window.deaf = false')
 page.check_keyboard()
 page.check_contrast()
 page.end()

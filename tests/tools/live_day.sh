@@ -9,6 +9,7 @@ await() {
     for i in $(seq 1200); do eval "$1" && return; sleep .05; done
     echo "in vain: $1"; cat said; return 1
 }
+edited() { await "tail -n 1 lines | cut -f 3 | grep -qx $1"; }
 ask() { python3 "$TOP/tests/tools/ask.py" "$@"; }  # METHOD PATH [body]
 hours() { ask GET "/next?picture=99999&line=99999" | grep -ao '"day":{[^}]*}' > day; }
 hour() { grep -o "\[$1,[^]]*\]" day | tr -d '[]' | cut -d , -f 2-; }
@@ -29,9 +30,9 @@ check 'hours come, the nearest to noon first' 'await "hours; [ -n \"\$(hour 11)\
 check 'they are those of a batch run of that hour' 'near "$(hour 12)" "$(batch 12)"; near "$(hour 11)" "$(batch 11)"'
 check 'another model has other hours; the view is that of the page' '
     sed "s/-a 20/-a 35/" blind.rad > low.rad
-    ask POST /control "view -vp 2 2.5 1.2" > /dev/null
+    ask POST /control "view -vp 2 2.5 1.2" > /dev/null; edited 1
     ask POST "/overlay?n=3&version=0&said=low" "$(cat low.rad)" > /dev/null
-    hours; [ -z "$(hour 12)" ]; await "tail -n 1 lines | cut -f 3 | grep -qx 2"; rest
+    hours; [ -z "$(hour 12)" ]; edited 2; rest
     await "hours; [ -n \"\$(hour 12)\" ]"
     near "$(hour 12)" "$(batch 12 "-vta -vp 2 2.5 1.2 -vd 0 -1 -.08 -vu 0 0 1 -vh 180 -vv 180" low.rad)"'
 check 'a click on an hour keeps them, another date does not' '

@@ -51,7 +51,8 @@ check 'a full disk is said once; the design is kept, and written where there is 
     [ "$(ask GET /next | grep -ao "No space left" | wc -l)" = 1 ]; ask GET "/overlay?n=3" | grep -q -- "-a 34"
     mv kept my.design; await "grep -q -- \"-a 34\" my.design"; end'
 check 'variants are in the design, and any is the base, by its name' '
-    begin; edited 1; ask POST "/variant?do=keep&name=dark" > /dev/null; sleep 1
+    begin; edited 1; ask POST "/variant?do=keep&name=dark" > /dev/null
+    await "grep -A1 ^variant.dark my.design | grep -q \"	Ev [0-9.]* ([0-9.]* to\""
     set_text 3 1 light "$(sed "s/-a 20/-a 5/" blind.rad)"; edited 2; ask POST "/variant?do=keep&name=light" > /dev/null
     await "grep -q ^variant.light my.design"; end; begin -against light; edited 1
     ask GET /next > state; grep -aq "\"base\":\"light\"" state; grep -aq "\"name\":\"light\",\"edit\":[01]" state

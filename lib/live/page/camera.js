@@ -2,6 +2,7 @@
 // small picture (`preview`) while it moves, the newest one only when the last has come; the full one (`view`) at rest.
 import { command, post } from '/net.js';
 import { short } from '/picture.js';
+import { keep } from '/table.js';
 import { cross, dot, length, plus, turned, unit } from '/view.js';
 
 const $ = (id) => document.getElementById(id);
@@ -41,12 +42,12 @@ export class Camera {
       b.addEventListener('click', does);
       return b;
     };
-    $('places').replaceChildren(...places.map(([name, view]) => {
+    keep($('places'), places, (place) => place.join(' '), ([name, view]) => {
       const item = document.createElement('li');
       item.append(button(name, () => go(view), `view ${name}`), ' ',
         button('×', () => post(`/place?name=${encodeURIComponent(name)}`).then((wrong) => this.say(wrong)), `delete view ${name}`));
       return item;
-    }));
+    });
     this.read_out();
   }
 

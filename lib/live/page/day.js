@@ -1,6 +1,6 @@
 // Glare over the hours of the date, as vcview has it rendered in idle time: a column an hour, with its class as colour and sign;
 // a dashed one where the interval holds two classes.  A click goes to that hour.
-import { one_stop } from '/table.js';
+import { keep, one_stop } from '/table.js';
 import { verdict } from '/verdict.js';
 
 const $ = (id) => document.getElementById(id);
@@ -13,21 +13,22 @@ export class Day {
     const now = day && this.sliders.hour(day.file), key = JSON.stringify([day, now]);
     if (key === this.known) return;
     this.known = key;
-    const at = document.activeElement.dataset?.hour;
-    $('day').replaceChildren(...(day?.hours ?? []).map(([hour, value, low, high]) => {
-      const { text, kind, number } = verdict('DGPf', { DGPf: value, 'DGPf.lo': low, 'DGPf.hi': high });
-      const column = Object.assign(document.createElement('button'), { type: 'button', title: `${hour}:00 ${text.slice(2)}, ${number}`,
-        className: `${kind} ${text.includes(' to ') ? 'open' : ''}` });
+    this.file = day?.file;
+    keep($('day'), day?.hours ?? [], ([hour]) => hour, ([hour]) => {
+      const column = Object.assign(document.createElement('button'), { type: 'button' });
       column.dataset.hour = hour;
+      column.append(' ', document.createElement('span'), String(hour));
+      column.addEventListener('click', () => this.sliders.go_to(this.file, hour));
+      return column;
+    }, (column, [hour, value, low, high]) => {
+      const { text, kind, number } = verdict('DGPf', { DGPf: value, 'DGPf.lo': low, 'DGPf.hi': high });
+      Object.assign(column, { title: `${hour}:00 ${text.slice(2)}, ${number}`, className: `${kind} ${text.includes(' to ') ? 'open' : ''}` });
       column.style.setProperty('--high', Math.max(.05, Math.min(1, (value - .15) / .4)));
       column.setAttribute('aria-label', column.title);
       column.setAttribute('aria-current', String(now === hour));
-      column.append(text[0], document.createElement('span'), String(hour));
-      column.addEventListener('click', () => this.sliders.go_to(day.file, hour));
-      return column;
-    }));
+      column.firstChild.data = text[0];
+    });
     one_stop($('day'), $('day').children);
-    if (at) $('day').querySelector(`[data-hour="${at}"]`)?.focus({ preventScroll: true });
     $('day-say').textContent = !day ? '' : day.hours.length ? `DGPf by the hour${day.ended ? '' : ' …'}` : 'the hours of the day come when the picture has 32 frames';
   }
 }

@@ -1,6 +1,6 @@
 // The lines of vcmetrics: read, shown as a table, drawn as SVG over the number of frames with their intervals.
 import { alike } from '/picture.js';
-import { fill_rows } from '/table.js';
+import { keep, one_stop, row_of } from '/table.js';
 
 const classes = { DGP: [.35, .40, .45], DGPu: [.35, .40, .45], DGPf: [.35, .40, .45], UGR: [13, 16, 19, 22, 25, 28] };
 // Effect of pixels on a metric: evalglare's (DGP, DGPu) lack it, DGPf has it.
@@ -115,17 +115,15 @@ export function plot(name, runs) {
 export function fill_table(body, lines, chosen, on_choice) {
   const last = lines.rows[lines.rows.length - 1];
   if (!last) return;
-  fill_rows(body, lines.metrics().map((name) => {
-    const row = document.createElement('tr');
-    row.setAttribute('aria-selected', String(chosen.has(name)));
-    const ends = [last[`${name}.lo`], last[`${name}.hi`]];
-    for (const text of [name, ...alike([last[name], ...ends], ...ends)]) {
-      const cell = document.createElement('td');
-      cell.textContent = text;
-      row.append(cell);
-    }
+  keep(body, lines.metrics(), (name) => name, (name) => {
+    const row = row_of(4);
     row.addEventListener('click', () => on_choice(name));
     row.addEventListener('keydown', (e) => { if (e.key === 'Enter' || e.key === ' ') { e.preventDefault(); on_choice(name); } });
     return row;
-  }));
+  }, (row, name) => {
+    const ends = [last[`${name}.lo`], last[`${name}.hi`]];
+    row.setAttribute('aria-selected', String(chosen.has(name)));
+    [name, ...alike([last[name], ...ends], ...ends)].forEach((text, k) => { row.cells[k].textContent = text; });
+  });
+  one_stop(body, body.rows);
 }

@@ -3,6 +3,7 @@
 import { ask } from '/net.js';
 import { dot_at, inside, label, outline, top_of } from '/overlay.js';
 import { add, free_name, regions_of, remove, replace, set_region } from '/region_file.js';
+import { fill, keep, row_of } from '/table.js';
 import { dragged, handles, parse_shape, shape_text, sketch } from '/shapes.js';
 import { TextFile } from '/text_file.js';
 
@@ -79,37 +80,43 @@ export class Regions {
   // ---- the table
 
   fill_table() {
-    const body = $('regions').tBodies[0], active = document.activeElement;
-    const at = active && body.contains(active) ? [active.dataset.region, active.className] : null;
-    const typed = at && active.value !== active.defaultValue ? active.value : null;
-    body.replaceChildren(...this.entries.map((r) => {
-      const row = document.createElement('tr');
-      row.dataset.region = r.name;
-      const cell = (...things) => { const td = document.createElement('td'); td.append(...things); row.append(td); return td; };
-      const field = (kind, value, title, changed) => {
-        const input = document.createElement('input');
-        Object.assign(input, { className: kind, defaultValue: value, spellcheck: false, autocomplete: 'off', readOnly: !this.file.writable });
-        input.setAttribute('aria-label', title);
-        input.dataset.region = r.name;
-        input.addEventListener('focus', () => this.select(r.name));
-        input.addEventListener('change', () => changed(input.value.trim().replace(/\s+/g, ' ')));
-        return input;
-      };
-      const swatch = document.createElement('span');
-      swatch.className = 'swatch';
-      cell(swatch, field('name', r.name, 'name', (v) => this.save(replace(r, v, r.definition), v)));
-      cell(field('definition', r.definition, `what ${r.name} is`, (v) => this.save(replace(r, r.name, v), r.name)));
-      const away = document.createElement('button');
-      Object.assign(away, { type: 'button', textContent: '×', disabled: !this.file.writable });
+    keep($('regions').tBodies[0], this.entries, (r) => r.name, () => this.new_row(), (row, r) => {
+      const [name, definition, away] = row.querySelectorAll('input, button');
+      row.dataset.region = name.dataset.region = definition.dataset.region = r.name;
+      fill(name, r.name);
+      fill(definition, r.definition);
+      definition.setAttribute('aria-label', `what ${r.name} is`);
       away.setAttribute('aria-label', `delete ${r.name}`);
-      away.addEventListener('click', () => this.save(remove(r)));
-      cell(away);
-      return row;
-    }));
-    const again = at?.[1] ? body.querySelector(`[data-region="${CSS.escape(at[0])}"].${at[1]}`) : null;
-    if (again && typed !== null) again.value = typed;
-    again?.focus();
+    });
     this.mark_rows();
+  }
+
+  new_row() {
+    const row = row_of(3), swatch = document.createElement('span'), away = document.createElement('button');
+    const now = () => this.entries.find((r) => r.name === row.dataset.region);
+    const field = (kind, changed) => {
+      const input = document.createElement('input');
+      Object.assign(input, { className: kind, spellcheck: false, autocomplete: 'off', readOnly: !this.file.writable });
+      input.addEventListener('focus', () => this.select(row.dataset.region));
+      input.addEventListener('change', () => now() && changed(input.value.trim().replace(/\s+/g, ' '), now()));
+      return input;
+    };
+    swatch.className = 'swatch';
+    const name = field('name', async (v, r) => {
+      const saved = this.save(replace(r, v, r.definition), v);
+      row.dataset.key = v;  // the row stays, and what follows is of that name
+      this.fill_table();
+      await saved;
+      if (!this.entries.some((e) => e.name === v)) row.dataset.key = r.name;
+      this.fill_table();
+    });
+    name.setAttribute('aria-label', 'name');
+    row.cells[0].append(swatch, name);
+    row.cells[1].append(field('definition', (v, r) => this.save(replace(r, r.name, v), r.name)));
+    Object.assign(away, { type: 'button', textContent: '×', disabled: !this.file.writable });
+    away.addEventListener('click', () => now() && this.save(remove(now())));
+    row.cells[2].append(away);
+    return row;
   }
 
   // Two regions of one contrast ratio: those that "low" and "high" stand for in the file, which luxpipe-live measures.
@@ -118,8 +125,8 @@ export class Regions {
     $('contrast').hidden = names.length < 2 || !this.file.writable;
     for (const name of pair) {
       const now = this.entries.find((r) => r.name === name)?.definition ?? '';
-      $(`contrast-${name}`).replaceChildren(...['', ...names].map((n) => new Option(n, n, n === now, n === now)));
-      $(`contrast-${name}`).options[0].disabled = true;
+      keep($(`contrast-${name}`), ['', ...names], (n) => n, (n) => Object.assign(new Option(n, n), { disabled: !n }));
+      $(`contrast-${name}`).value = names.includes(now) ? now : '';
     }
   }
 
@@ -171,7 +178,7 @@ export class Regions {
       await this.show();
       return this.say(`${this.file.name} was changed by another program, which this change does not fit: it is as that program left it.`);
     }
-    this.say(said);
+    if (said || !this.drawing) this.say(said);
     if (said) return this.read_as(this.file.text);
     this.selected = select;
     await this.show();
@@ -219,15 +226,15 @@ export class Regions {
     this.drag = null;
     this.say('');
     if (!shape) return this.view.draw();
-    if (names.length) {
-      await this.save(set_region(names[0], shape_text(shape)), names[0]);
-      return names.length > 1 ? this.begin(kind, names.slice(1)) : undefined;
-    }
-    const name = free_name(this.text);
-    await this.save(add(name, shape_text(shape)), name);
+    if (names.length > 1) this.begin(kind, names.slice(1));
+    if (names.length) return this.save(set_region(names[0], shape_text(shape)), names[0]);
+    const name = free_name(this.text), saved = this.save(add(name, shape_text(shape)), name);
+    this.fill_table();  // whoever draws goes on and types its name
     const field = document.querySelector(`#regions .name[data-region="${name}"]`);
     field?.focus();
     field?.select();
+    await saved;
+    this.fill_table();
   }
 
   new_shape(kind, from, to) {

@@ -3,7 +3,7 @@
 // file itself is written only by Save.
 import { date_of, numbers_in, range_of, skies_in, with_number, with_sky } from '/model_text.js';
 import { ask, command, post, tag_of, text_of } from '/net.js';
-import { one_stop } from '/table.js';
+import { fill, keep, one_stop } from '/table.js';
 import { TextFile } from '/text_file.js';
 
 const $ = (id) => document.getElementById(id);
@@ -111,7 +111,7 @@ export class Sliders {
       one.small = !wrong;
     }
     if (!wrong && one.text !== one.sent) wrong = await this.send_text(one);
-    if (!one.going && one.small) {
+    if (!one.going && one.small && one.text === one.sent) {
       wrong ||= await command('go');
       one.small = Boolean(wrong);
       one.rested = one.sent;
@@ -158,14 +158,15 @@ export class Sliders {
   }
 
   show() {
-    $('skies').replaceChildren(...this.files.flatMap((one) => skies_in(one.text).flatMap((sky, k) => {
-      const is = () => skies_in(one.text)[k], change = (day, hour, going) => {
+    const skies = this.files.flatMap((one) => skies_in(one.text).flatMap((sky, k) => ['day', 'hour'].map((what) => ({ one, sky, k, what }))));
+    keep($('skies'), skies, ({ one, sky, k, what }) => [one.file.n, k, sky.program, what], ({ one, sky, k, what }) => {
+      const change = (v, going) => {
+        const { day, hour } = { ...skies_in(one.text)[k], [what]: v };
         this.choose(one);
         this.set(with_sky(one.text, k, day, hour), going);
       };
-      return [this.slider(`${sky.program}: day`, 1, 365, 1, sky.day, date, (v, going) => change(v, is().hour, going)),
-        this.slider('hour', 0, 24, .25, sky.hour, clock, (v, going) => change(is().day, v, going))];
-    })));
+      return what === 'day' ? this.slider(`${sky.program}: day`, 1, 365, 1, sky.day, date, change) : this.slider('hour', 0, 24, .25, sky.hour, clock, change);
+    }, (label, { sky, what }) => label.show(sky[what]));
     $('sky-panel').hidden = !$('skies').children.length;
     this.show_text();
     this.show_number();
@@ -191,8 +192,9 @@ export class Sliders {
 
   slider(title, least, largest, step, value, words, set) {
     const label = document.createElement('label'), input = document.createElement('input'), output = document.createElement('output');
-    Object.assign(input, { type: 'range', min: least, max: largest, step, value });
-    output.value = words(value);
+    Object.assign(input, { type: 'range', min: least, max: largest, step });
+    label.show = (v) => { input.value = v; output.value = words(v); };
+    label.show(value);
     input.addEventListener('input', () => { output.value = words(Number(input.value)); set(Number(input.value), true); });
     input.addEventListener('change', () => this.stop());
     label.append(title, input, output);
@@ -219,15 +221,23 @@ export class Sliders {
 
   show_number() {
     const number = numbers_in(this.now.text)[this.chosen];
-    $('model-number').replaceChildren();
-    if (!number) return;
+    if (!number) return $('model-number').replaceChildren();
     this.range ??= number.whole ? [1, Math.max(8, 2 * number.value)] : range_of(number.value);
+    keep($('model-number'), [number.value], () => [this.now.file.n, this.chosen, this.range], () => this.number_field(number), (span, value) => {
+      span.firstChild.show(value);
+      fill(span.lastChild, value);
+    });
+  }
+
+  number_field(number) {
     const [least, largest] = this.range, step = number.whole ? 1 : (largest - least) / 200, set = (v, going) => this.set(with_number(this.now.text, numbers_in(this.now.text)[this.chosen], v), going);
     const field = document.createElement('input');
-    Object.assign(field, { type: 'number', step: 'any', value: number.value });
+    Object.assign(field, { type: 'number', step: 'any', defaultValue: number.value });
     field.setAttribute('aria-label', 'value of the chosen number');
     field.addEventListener('change', () => { this.range = null; set(Number(field.value)); });
-    $('model-number').append(this.slider('number', least, largest, step, number.value, (v) => String(Number(v.toPrecision(4))),
-      (v, going) => { field.value = v; set(v, going); }), field);
+    const span = document.createElement('span');
+    span.append(this.slider('number', least, largest, step, number.value, (v) => String(Number(v.toPrecision(4))),
+      (v, going) => { field.defaultValue = field.value = v; set(v, going); }), field);
+    return span;
   }
 }

@@ -3,7 +3,7 @@
 import { ask } from '/net.js';
 import { brightest, inside, label, outline } from '/overlay.js';
 import { luminance, short } from '/picture.js';
-import { fill_rows } from '/table.js';
+import { keep, one_stop, row_of } from '/table.js';
 
 const $ = (id) => document.getElementById(id);
 const css = '#ffb347', chosen_css = '#fff2d8';
@@ -50,22 +50,20 @@ export class Sources {
   fill_table() {
     $('sources-say').textContent = this.all.length ? '' : 'no glare source in this picture';
     $('sources').hidden = !this.all.length;
-    fill_rows($('sources').tBodies[0], this.all.map((s) => {
-      const row = document.createElement('tr');
-      row.setAttribute('aria-selected', String(s.source === this.chosen));
-      const name = document.createElement('td');
-      if (s.peak) this.what(...s.peak.map(Math.floor)).then((text) => { name.textContent = text; });
-      for (const text of [s.source, `${(100 * s.DGPshare).toFixed(1)} %`, short(s.L), short(s.omega), short(s.P)]) {
-        const cell = document.createElement('td');
-        cell.textContent = text;
-        row.append(cell);
-      }
-      row.append(name);
-      const choose = () => { this.chosen = this.chosen === s.source ? null : s.source; this.fill_table(); };
+    const body = $('sources').tBodies[0];
+    keep(body, this.all, (s) => s.source, ({ source }) => {
+      const row = row_of(6), choose = () => { this.chosen = this.chosen === source ? null : source; this.fill_table(); };
       row.addEventListener('click', choose);
       row.addEventListener('keydown', (e) => { if (e.key === 'Enter') choose(); });
       return row;
-    }));
+    }, (row, s) => {
+      row.setAttribute('aria-selected', String(s.source === this.chosen));
+      [s.source, `${(100 * s.DGPshare).toFixed(1)} %`, short(s.L), short(s.omega), short(s.P)].forEach((text, k) => { row.cells[k].textContent = text; });
+      row.shown = s;
+      const name = s.peak ? this.what(...s.peak.map(Math.floor)) : Promise.resolve('');
+      name.then((text) => { if (row.shown === s) row.cells[5].textContent = text; });
+    });
+    one_stop(body, body.rows);
     this.view.draw();
   }
 

@@ -1,6 +1,7 @@
 // Variants: the design under a name, with its picture and numbers, all held by vcview.  One of them is the base, with which
 // each edit is compared; the picture of any can stand beside the one at hand.
 import { ask, post, unpack } from '/net.js';
+import { fill, keep, row_of } from '/table.js';
 
 const $ = (id) => document.getElementById(id);
 const act = (what, name = '', to = '') => post(`/variant?${new URLSearchParams({ do: what, name, to })}`);
@@ -20,7 +21,8 @@ export class Variants {
     [this.all, this.base] = [all, base];
     this.others = [...(before < 0 ? [] : [{ name: '', edit: before }]), ...all];
     const picked = this.others.some((v) => v.name === this.picked) ? this.picked : base;
-    $('with').replaceChildren(...this.others.map((v) => new Option(v.name || 'the edit before', v.name, false, v.name === picked)));
+    keep($('with'), this.others, (v) => v.name, ({ name }) => new Option(name || 'the edit before', name));
+    $('with').value = picked;
     $('variants-panel').hidden = !all.length;
     $('compare').disabled = !this.others.length;
     $('with').parentElement.hidden = this.others.length < 2;
@@ -40,24 +42,25 @@ export class Variants {
   }
 
   fill() {
-    const body = $('variants').tBodies[0], at = [...body.querySelectorAll('input, button')].indexOf(document.activeElement);
-    body.replaceChildren(...this.all.map((v) => {
-      const row = document.createElement('tr');
-      const cell = (...things) => { const td = document.createElement('td'); td.append(...things); row.append(td); };
+    keep($('variants').tBodies[0], this.all, (v) => v.name, ({ name }) => {
+      const row = row_of(4);
       const control = (tag, facts, label, event, does) => {
         const e = Object.assign(document.createElement(tag), facts);
         e.setAttribute('aria-label', label);
         e.addEventListener(event, async () => this.say(await does(e)));
         return e;
       };
-      cell(control('input', { type: 'radio', name: 'base', checked: v.name === this.base }, `compare with ${v.name}`, 'change', () => act('base', v.name)));
-      cell(control('input', { className: 'name', defaultValue: v.name }, 'name', 'change', (e) => act('call', v.name, e.value.trim())));
-      cell('');
-      cell(control('button', { type: 'button', textContent: v.shown ? 'shown' : 'Show', disabled: v.shown }, `show ${v.name}`, 'click', () => act('show', v.name)),
-        control('button', { type: 'button', textContent: '×' }, `delete ${v.name}`, 'click', () => act('drop', v.name)));
+      row.cells[0].append(control('input', { type: 'radio', name: 'base' }, `compare with ${name}`, 'change', () => act('base', name)));
+      row.cells[1].append(control('input', { className: 'name', defaultValue: name }, 'name', 'change', (e) => act('call', name, e.value.trim())));
+      row.cells[3].append(control('button', { type: 'button' }, `show ${name}`, 'click', () => act('show', name)),
+        control('button', { type: 'button', textContent: '×' }, `delete ${name}`, 'click', () => act('drop', name)));
       return row;
-    }));
-    body.querySelectorAll('input, button')[at]?.focus({ preventScroll: true });
+    }, (row, v) => {
+      const [radio, name, show] = row.querySelectorAll('input, button');
+      radio.checked = v.name === this.base;
+      fill(name, v.name);
+      Object.assign(show, { textContent: v.shown ? 'shown' : 'Show', disabled: v.shown });
+    });
     this.show_numbers();
   }
 
