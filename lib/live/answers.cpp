@@ -131,15 +131,22 @@ Answer answer_put(const Files& files, const Arguments& arguments, const std::str
     return {200, "text/plain; charset=utf-8", "", f->read().tag};
 }
 
-std::optional<Answer> answer_sources(Sources& sources, const Arguments& arguments) {
+std::optional<Answer> answer_sources(Asked& sources, const Arguments& arguments) {
     const auto found = sources.of(count(arguments, "picture").value_or(0));
     if (!found) return std::nullopt;
     if (found->status != 0) return plain(409, "vcmetrics -sources ends with status " + std::to_string(found->status));
-    std::string list = found->lines;
+    std::string list = found->text;
     while (!list.empty() && list.back() == '\n') list.pop_back();
     std::replace(list.begin(), list.end(), '\n', ',');
     return Answer{200, "application/json",
                   "{\"picture\":" + std::to_string(found->picture) + ",\"sources\":[" + list + "]}"};
+}
+
+std::optional<Answer> answer_report(Asked& report, const Arguments& arguments) {
+    const auto found = report.of(count(arguments, "picture").value_or(0));
+    if (!found) return std::nullopt;
+    if (found->status != 0) return plain(409, "vcmetrics -report ends with status " + std::to_string(found->status));
+    return Answer{200, "text/html; charset=utf-8", found->text};
 }
 
 // The text that stands for a file, with its version; 204: it is the file's own.

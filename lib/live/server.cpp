@@ -67,7 +67,7 @@ struct Server::State {
     bool ends = false;
     std::condition_variable tick;
     std::thread ticker;
-    std::optional<Sources> sources;
+    std::optional<Asked> sources, report;
     Visitors visitors;
 
     std::optional<DesignFile> design;
@@ -198,6 +198,7 @@ struct Server::State {
         if (path == "/sources") return wait_for(connection, request, [&] { return answer_sources(*sources, asked); });
         if (path == "/what")
             return wait_for(connection, request, [&] { return answer_what({live, files, options.control}, asked); });
+        if (path == "/report") return wait_for(connection, request, [&] { return answer_report(*report, asked); });
         if (path == "/facts") return send(connection, facts());
         return send(connection, answer_query(live, files, path, asked));
     }
@@ -257,7 +258,10 @@ Server::Server(Live& live, const ServerOptions& options) : state_(std::make_uniq
     address.sin_port = htons(uint16_t(options.port));
     if (inet_pton(AF_INET, options.listen.c_str(), &address.sin_addr) != 1)
         base::fail("-listen", "\"" + options.listen + "\" is not an address such as 127.0.0.1");
-    state_->sources.emplace(live, options.sources, [state = state_.get()] { state->wake(); });
+    const auto wake = [state = state_.get()] { state->wake(); };
+    state_->sources.emplace([&live, &options] { return find_sources(live, options.sources); }, wake);
+    state_->report.emplace(
+        [&live, &options, state = state_.get()] { return find_report(live, state->files, options.report); }, wake);
     errno = 0;
     state_->daemon = MHD_start_daemon(
         MHD_USE_EPOLL_INTERNAL_THREAD | MHD_ALLOW_SUSPEND_RESUME, uint16_t(options.port), nullptr, nullptr,
@@ -281,6 +285,7 @@ Server::~Server() {
     state_->ticker.join();
     state_->design->look(true);
     state_->sources.reset();
+    state_->report.reset();
     state_->wake();
     MHD_stop_daemon(state_->daemon);
 }

@@ -9,6 +9,7 @@
 //   GET /pixel?x=&y=             what is known of a pixel (pixel.h)
 //   GET /sources?picture=        the glare sources of picture P or a newer one (sources.h); waits for them
 //   GET /what?x=&y=              what ptrace sees at fractions of the newest picture; waits for it (what, ptrace(1))
+//   GET /report?picture=         the same as one HTML file for people (vcmetrics -report)
 //   GET /save?as=hdr             the newest picture as a file, hdr or exr
 //   GET /facts                   what vcview was started with
 //   GET /file?n=                 text N of those that the page may show, with its tag (ETag)
@@ -41,6 +42,7 @@ struct ServerOptions {
     std::string day, hours;            // FIFOs of the pipe that renders the hours (day.h); empty: none
     std::string against;               // file of vcmetrics -against; empty: none
     std::vector<std::string> sources;  // the program that lists glare sources (sources.h)
+    std::vector<std::string> report;   // the one that writes reports
 };
 
 class Server {

@@ -2,7 +2,14 @@
 // See sources.h.
 #include "live/sources.h"
 
+#include <stdlib.h>
+
 #include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
 
 #include "base/descriptor.h"
 #include "base/error.h"
@@ -12,82 +19,134 @@
 
 namespace live {
 
-std::vector<std::string> sources_command(const std::vector<std::string>& command) {
+namespace {
+
+// vcmetrics' words without these options, which have a value each.
+std::vector<std::string> without(const std::vector<std::string>& command, const std::vector<std::string>& options) {
     std::vector<std::string> out{"vcmetrics"};
-    if (!command.empty() && command[0].substr(command[0].rfind('/') + 1) == "vcmetrics") {
-        out[0] = command[0];
-        for (size_t k = 1; k < command.size(); ++k) {
-            std::string word = command[k];
-            if (base::begins_with(word, "--")) word.erase(0, 1);
-            const std::string name = word.substr(0, word.find('='));
-            static const char* const with_value[] = {"-until",       "-ci",      "-control", "-max-frames",
-                                                     "-max-seconds", "-format",  "-metrics", "-cr",
-                                                     "-c",           "-against", "-over"};
-            if (name == "-go-on") continue;
-            if (std::find(std::begin(with_value), std::end(with_value), name) == std::end(with_value))
-                out.push_back(command[k]);
-            else if (name == word) ++k;  // its value is the next word
-        }
+    if (command.empty() || command[0].substr(command[0].rfind('/') + 1) != "vcmetrics") return out;
+    out[0] = command[0];
+    for (size_t k = 1; k < command.size(); ++k) {
+        std::string word = command[k];
+        if (base::begins_with(word, "--")) word.erase(0, 1);
+        const std::string name = word.substr(0, word.find('='));
+        if (name == "-go-on") continue;
+        if (std::find(options.begin(), options.end(), name) == options.end()) out.push_back(command[k]);
+        else if (name == word) ++k;  // its value is the next word
     }
-    out.insert(out.end(), {"-sources", "-outlines", "-format", "jsonl", "-W-"});
     return out;
 }
 
-Sources::Sources(const Live& live, std::vector<std::string> command, std::function<void()> found)
-    : live_(live), command_(std::move(command)), found_call_(std::move(found)), thread_([this] { work(); }) {}
-
-Sources::~Sources() {
-    {
-        const std::lock_guard<std::mutex> lock(mutex_);
-        ends_ = true;
-    }
-    asked_.notify_all();
-    thread_.join();
-}
-
-std::optional<Sources::Found> Sources::of(size_t picture) {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    if (found_.picture > 0 && found_.picture >= picture) return found_;
-    wanted_ = true;
-    asked_.notify_all();
-    return std::nullopt;
-}
-
-void Sources::work() {
-    for (;;) {
-        {
-            std::unique_lock<std::mutex> lock(mutex_);
-            asked_.wait(lock, [this] { return wanted_ || ends_; });
-            if (ends_) return;
-            wanted_ = false;
-        }
-        Found found = measure();
-        {
-            const std::lock_guard<std::mutex> lock(mutex_);
-            found_ = std::move(found);
-        }
-        found_call_();
-    }
-}
-
-Sources::Found Sources::measure() const {
-    const auto news = live_.since({}, true);
-    if (!news || !news->shown) return {};
-    Found found;
-    found.picture = news->picture;
+// The program on a picture: its standard output.
+Asked::Found run(const std::vector<std::string>& command, const image::Picture& picture, size_t number, int errors) {
+    Asked::Found found;
+    found.picture = number;
     try {
-        Child child(command_, -1);
-        const std::string bytes = image::picture_bytes(*news->shown, image::Format::flt);
+        Child child(command, errors);
+        const std::string bytes = image::picture_bytes(picture, image::Format::flt);
         base::write_all(child.input(), bytes.data(), bytes.size());
         child.close_input();
         char block[1 << 14];
         for (ssize_t n; (n = base::read_some(child.output(), block, sizeof block)) > 0;)
-            found.lines.append(block, size_t(n));
+            found.text.append(block, size_t(n));
         found.status = child.wait();
     } catch (const base::Error&) {
         found.status = int(base::Kind::system);
     }
     return found;
+}
+
+// The line of a picture, below the names of its columns; empty: it has not come.
+std::string table_of(const std::vector<std::string>& lines, const image::Header& header) {
+    const std::string frame = std::to_string(header.frames.value_or(0)), edit = std::to_string(header.edit.value_or(0));
+    std::string names, found;
+    size_t frame_at = 0, edit_at = 0;
+    for (const std::string& line : lines) {
+        const std::vector<std::string> cells = base::split_list(line, '\t');
+        const auto at = [&](const char* name) {
+            return size_t(std::find(cells.begin(), cells.end(), name) - cells.begin());
+        };
+        if (at("frame") < cells.size()) names = line, frame_at = at("frame"), edit_at = at("edit");
+        else if (frame_at < cells.size() && cells[frame_at] == frame &&
+                 (edit_at >= cells.size() || cells[edit_at] == edit))
+            found = names + "\n" + line + "\n";
+    }
+    return found;
+}
+
+class TempFolder {
+public:
+    TempFolder() {
+        std::string name = std::filesystem::temp_directory_path() / "vcview.XXXXXX";
+        errno = 0;
+        if (!mkdtemp(name.data())) base::fail_system(name, "cannot be made");
+        path_ = name;
+    }
+    ~TempFolder() {
+        std::error_code gone;
+        std::filesystem::remove_all(path_, gone);
+    }
+    TempFolder(const TempFolder&) = delete;
+    std::string write(const std::string& name, const std::string& text) const {
+        std::ofstream(path_ / name, std::ios::binary) << text;
+        return path_ / name;
+    }
+    std::filesystem::path path_;
+};
+
+}  // namespace
+
+std::vector<std::string> sources_command(const std::vector<std::string>& command) {
+    std::vector<std::string> out = without(command, {"-until", "-ci", "-control", "-max-frames", "-max-seconds",
+                                                     "-format", "-metrics", "-cr", "-c", "-against", "-over"});
+    out.insert(out.end(), {"-sources", "-outlines", "-format", "jsonl", "-W-"});
+    return out;
+}
+
+std::vector<std::string> report_command(const std::vector<std::string>& command,
+                                        const std::vector<std::string>& scene) {
+    std::vector<std::string> out = without(command, {"-until", "-control", "-max-frames", "-max-seconds", "-format",
+                                                     "-c", "-against", "-over", "-report", "-numbers"});
+    for (const std::string& file : scene) out.insert(out.end(), {"-scene", file});
+    out.push_back("-W-");
+    return out;
+}
+
+Asked::Found find_sources(const Live& live, const std::vector<std::string>& command) {
+    const auto news = live.since({}, true);
+    if (!news || !news->shown) return {};
+    return run(command, *news->shown, news->picture, -1);
+}
+
+Asked::Found find_report(const Live& live, const Files& files, std::vector<std::string> command) {
+    constexpr auto longest_wait = std::chrono::milliseconds(3000), step = std::chrono::milliseconds(50);
+    std::optional<Live::News> news;
+    std::string table;
+    for (auto waited = step; waited < longest_wait && table.empty(); waited += step) {
+        news = live.since({}, true);
+        if (!news || !news->shown) return {};
+        if (news->shown->header.edited != "preview") table = table_of(news->lines, news->shown->header);
+        if (table.empty()) std::this_thread::sleep_for(step);
+    }
+    try {
+        const TempFolder folder;
+        const std::string page = folder.write("report.html", "");
+        command.insert(command.end(), {"-report", page});
+        if (!table.empty()) command.insert(command.end(), {"-numbers", folder.write("numbers", table)});
+        const auto texts = live.ask([](const Design& d) { return d.texts; });
+        for (size_t n = 0; n < texts.size() && n < files.size(); ++n)
+            if (texts[n].now && files[n].kind == TextFile::Kind::scene)
+                command.insert(command.end(),
+                               {"-overlay", files[n].path, folder.write("text" + std::to_string(n), *texts[n].now)});
+        Asked::Found found = run(command, *news->shown, news->picture, 2);
+        std::ostringstream text;
+        text << std::ifstream(page, std::ios::binary).rdbuf();
+        found.text = text.str();
+        if (found.status == 0 && found.text.empty()) found.status = int(base::Kind::system);
+        return found;
+    } catch (const base::Error&) {
+        return {news->picture, int(base::Kind::system), ""};
+    }
 }
 
 }  // namespace live

@@ -116,6 +116,7 @@ std::string numbers(const Page& page) {
         "<th>{:g} % interval</th><th></th></tr></thead><tbody>\n",
         100 * page.certainty);
     for (const Page::Number& n : page.numbers) {
+        if (!std::isfinite(n.value)) continue;  // a region that is out of sight
         const auto [words, unit] = words_of(n.name);
         out += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n", escaped(words),
                            words == n.name ? "" : escaped(n.name), value_text(n), interval_text(n), unit);

@@ -123,6 +123,12 @@ for kind in ('hdr', 'exr', 'png', 'svg', 'csv'):
     name = f'{saved}/luxpipe.{kind}'
     check(f'{kind} is saved', soon(lambda: os.path.exists(name) and os.path.getsize(name)))
 
+page.click('#report')
+name = f'{saved}/report.html'
+check('a report is made by one click', soon(lambda: os.path.exists(name) and os.path.getsize(name)))
+values = set(re.findall('<data value="([^"]*)"', open(name).read()))
+check('with the numbers of the last line', set(open(lines).read().split('\n')[-2].split('\t')[2:-1]) <= values, values)
+
 # keys: tone, keep, compare; nothing is restarted
 before = page.js('document.getElementById("tone").value')
 page.keys('body', 't')

@@ -31,6 +31,17 @@ for program in ptrace ptaccum vcmetrics; do
         await "ask GET /next | grep -aq .ended.:"; ask GET "/save?as=hdr" | grep -aq "^#?RADIANCE"
         ask GET "/overlay?n=3" | grep -q " 9 "; kill $live; ended'
 done
+data() { grep -oE '<data value="[^"]*"' report | cut -d '"' -f 2; }
+check 'a report has the numbers of the line, of an edit that is not saved, too, and says how it is made again' '
+    begin -frames 33; sed s/14/9/ sky_day.rad > edited; ask POST "/overlay?n=3&version=0" "$(cat edited)"
+    await "tail -1 lines | cut -f 1,3 | tr \"\\t\" \" \" | grep -qx \"32 1\""
+    ask GET "/report?picture=1" > report; data > numbers
+    for column in 4 5 6 10 11 12; do tail -1 lines | cut -f $column | grep -qxFf numbers; done
+    grep -q "sky (sky_glow) through pane" report; grep -q "sky_day.rad: gensky 12 21 9 " report
+    hash=$(printf %s "$(cat edited)" | sha256sum | cut -c 1-64)
+    grep -q "sky_day.rad (as changed in the page)</td><td>$hash" report
+    grep -q "ptrace -frames 33 -vf view.vf -x 64 -y 64 -vta .* -x 64 -y 64 -frames 0:32 materials.rad" report
+    ! grep -q "$TMPDIR" report; kill $live; ended'
 check 'what the programs say is in the page and on the standard error' '
     begin; ask POST "/overlay?n=1&version=0" "broken"; await "grep -q ^ptrace: said"
     await "ask GET /next | grep -aq \"messages.*ptrace: .*current.:1\""; kill $live; ended'

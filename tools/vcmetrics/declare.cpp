@@ -45,6 +45,10 @@ void declare_output(OptionTable& t, Options& o) {
     t.add("-report file", "Write a report of the last picture, for people (.html)", o.report_file);
     t.add("-scene file", "Scene of the report, which then says what is seen at glare sources; may be repeated",
           [&](Arguments& a) { o.scene.push_back(a.text()); });
+    t.add("-overlay file text", "In this file of the scene the text of the second file counts", [&](Arguments& a) {
+        const std::string file = a.text();
+        o.overlays.emplace_back(file, a.text());
+    });
     t.add("-numbers file", "Numbers of the report: the last line of this table of vcmetrics", o.numbers_file);
     t.add("-ci percent",
           "NAME.lo and NAME.hi after each column: the interval of the converged value, of this certainty",

@@ -12,8 +12,10 @@
 #include "base/error.h"
 #include "base/files_read.h"
 #include "base/run.h"
+#include "base/text_file.h"
 #include "base/warnings.h"
 #include "base/model_folder.h"
+#include "base/overlay.h"
 #include "declare.h"
 #include "image/stream.h"
 
@@ -81,8 +83,8 @@ void check(const Options& o) {
         image::require_writable_ending(o.report_file, {".html"});
         for (const std::string& file : o.scene)
             if (access(file.c_str(), R_OK) != 0) base::fail_system(file, "cannot be read");
-    } else if (!o.scene.empty() || !o.numbers_file.empty()) {
-        base::fail(o.scene.empty() ? "-numbers" : "-scene", "belongs to -report");
+    } else if (!o.scene.empty() || !o.numbers_file.empty() || !o.overlays.empty()) {
+        base::fail("-scene, -numbers, -overlay", "belong to -report");
     }
     for (const std::string& drawn : {o.over_file, o.check_file, o.report_file})
         if (!drawn.empty())
@@ -116,6 +118,7 @@ void complete_for_report(Options& o) {
     o.scene_options.raypath = base::raypath_from_environment();
     o.scene_options.work = base::work_budget_from_environment();
     o.scene = base::open_folders(o.scene, o.scene_options);
+    for (const auto& [file, text] : o.overlays) base::set_overlay(file, base::read_text_file(text));
 }
 
 }  // namespace

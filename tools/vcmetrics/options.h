@@ -29,6 +29,7 @@ struct Options {
     std::string report_file, numbers_file;  // -report, -numbers
     std::vector<std::string> scene;         // -scene: of the report
     base::ReadOptions scene_options;
+    std::vector<std::pair<std::string, std::string>> overlays;  // -overlay: file and the one that has its text
     report::TableFormat format = report::TableFormat::tsv;
     OutputMode mode = OutputMode::vcmetrics;
     bool evalglare_bug_compatible = false;  // its rounding and its slips (lib/evalglare), also where columns are ours

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <filesystem>
 #include <sstream>
 
@@ -180,9 +181,51 @@ void add_sky(const Options& o, const std::vector<std::string>& files, const imag
         std::istringstream text(base::read_text_file(file, size_t(1) << 26));
         for (std::string line; std::getline(text, line);)
             for (const char* const program : {"gensky ", "gendaylit "})
-                if (const size_t at = line.find(program); (line[0] == '!' || line[0] == '#') && at != std::string::npos)
+                if (const size_t at = line.find(program); at != std::string::npos &&
+                                                          (line[0] == '!' || line[0] == '#') &&
+                                                          std::strchr("0123456789-", line[at + std::strlen(program)]))
                     page.sky.push_back(report::name_in_folder(file) + ": " + line.substr(at));
     }
+}
+
+void add_files(const Options& o, const std::vector<std::string>& files, Page& page) {
+    std::error_code absent;
+    for (const std::string& file : files) {
+        const auto changed = [&](const auto& overlay) { return overlay.first == file; };
+        const auto inner = [&](const auto& overlay) { return overlay.second == file; };
+        if (file == o.numbers_file || !std::filesystem::is_regular_file(file, absent) ||
+            std::any_of(o.overlays.begin(), o.overlays.end(), inner))
+            continue;
+        const bool is_changed = std::any_of(o.overlays.begin(), o.overlays.end(), changed);
+        page.files.push_back({file + (is_changed ? " (as changed in the page)" : ""), base::sha256_of_file(file)});
+    }
+}
+
+void erase(std::string& text, const std::string& part) {
+    if (const size_t at = text.find(part); at != std::string::npos) text.erase(at, part.size());
+}
+
+// The commands of the header and our own; of a live stream those that make this picture alone.
+void add_commands(const Options& o, const image::Picture& picture, Page& page) {
+    const image::Header& h = picture.header;
+    for (std::string line : h.lines) {
+        if (line.find("CAPDATE=") == 0 || line.find("SOFTWARE=") == 0) continue;
+        if (const size_t control = line.find(" -control "); h.edit && control != std::string::npos) {
+            line.erase(control, line.find(' ', control + 10) - control);
+            erase(line, " -watch");
+            const size_t scene = o.scene.empty() ? std::string::npos : line.find(" " + o.scene[0]);
+            if (scene != std::string::npos)
+                line.insert(scene, fmt::format("{} -x {} -y {} -frames 0:{}", view::to_options(page.view),
+                                               picture.width, picture.height, h.frames.value_or(0)));
+        }
+        page.commands.push_back(o.files.empty() ? line + " |" : line);
+    }
+    std::string own = o.command;
+    erase(own, " -numbers " + o.numbers_file);
+    for (const auto& [file, text] : o.overlays) erase(own, " -overlay " + file + " " + text);
+    if (const size_t at = own.find(o.report_file); at != std::string::npos && !o.numbers_file.empty())
+        own.replace(at, o.report_file.size(), report::name_in_folder(o.report_file));
+    page.commands.push_back(own);
 }
 
 }  // namespace
@@ -205,15 +248,8 @@ void write_report(const Options& o, const image::Picture& picture, const RunStat
     add_drawings(picture, page);
     const std::vector<std::string> files = base::files_read();
     add_sky(o, files, picture.header, page);
-    std::error_code absent;
-    for (const std::string& file : files)
-        if (file != o.numbers_file && std::filesystem::is_regular_file(file, absent))
-            page.files.push_back({file, base::sha256_of_file(file)});
-    for (const std::string& line : picture.header.lines)
-        if (line.find("CAPDATE=") != 0 && line.find("SOFTWARE=") != 0) page.commands.push_back(line);
-    if (row.file == "-")
-        for (std::string& line : page.commands) line += " |";
-    page.commands.push_back(o.command);
+    add_files(o, files, page);
+    add_commands(o, picture, page);
     page.version = std::string("luxpipe ") + LUXPIPE_VERSION;
     const std::string text = report::page_text(page);
     image::write_bytes(o.report_file, text);

@@ -50,6 +50,9 @@ std::optional<Options> parse_options(int argc, char** argv) {
           o.server.against);
     t.add("-day control lines", "FIFOs of a pipe that renders the hours of the day while the picture is good enough",
           [&](base::Arguments& a) { o.server.day = a.text(), o.server.hours = a.text(); });
+    std::vector<std::string> scene;
+    t.add("-scene file", "Scene of the report, as in vcmetrics; may be repeated",
+          [&](base::Arguments& a) { scene.push_back(a.text()); });
     const auto operands = t.parse(int(dashes - argv), argv);
     if (!operands) return std::nullopt;
     if (!operands->empty())
@@ -57,6 +60,7 @@ std::optional<Options> parse_options(int argc, char** argv) {
     add_regions(regions, o);
     for (const std::string& file : edited) o.server.files.emplace_back(file, live::TextFile::Kind::scene, true);
     o.server.sources = live::sources_command(o.command);
+    o.server.report = live::report_command(o.command, scene);
     if (dashes != end && o.command.empty()) base::fail("--", "names no program");
     return o;
 }

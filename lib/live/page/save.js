@@ -26,21 +26,22 @@ export function plots_svg() {
   return new XMLSerializer().serializeToString(sheet).replace('>', `><style>${rules}</style>`);
 }
 
-// Tells what is wrong where the command is.
-async function offer_picture(as) {
-  let wrong = 'the connection to vcview has ended';
+// The answer, or what is wrong, where the command is.
+async function offer_answer(path, name, type = 'application/octet-stream') {
+  let wrong = 'the connection to vcview has ended', answer;
   try {
-    const answer = await ask(`/save?as=${as}`);
-    if (answer.ok) return offer(`luxpipe.${as}`, await answer.blob(), 'application/octet-stream');
+    do answer = await ask(path); while (answer.status === 204);  // not there yet
+    if (answer.ok) return offer(name, await answer.blob(), type);
     wrong = (await answer.text()).trim();
   } catch { /* told below */ }
-  $('status').textContent = `${as.toUpperCase()} is not saved: ${wrong}`;
+  $('status').textContent = `${name} is not saved: ${wrong}`;
 }
 
 // view(): options of the present view.
 export function wire_saving(view, lines, options) {
   $('save-vf').addEventListener('click', () => offer('view.vf', `rvu ${options()}\n`, 'text/plain'));
-  for (const as of ['hdr', 'exr']) $(`save-${as}`).addEventListener('click', () => offer_picture(as));
+  for (const as of ['hdr', 'exr']) $(`save-${as}`).addEventListener('click', () => offer_answer(`/save?as=${as}`, `luxpipe.${as}`));
+  $('report').addEventListener('click', () => offer_answer(`/report?picture=${document.body.dataset.picture}`, 'report.html', 'text/html'));
   $('save-png').addEventListener('click', () => view.sheet().toBlob((blob) => offer('luxpipe.png', blob, 'image/png')));
   $('save-svg').addEventListener('click', () => offer('luxpipe.svg', plots_svg(), 'image/svg+xml'));
   $('save-csv').addEventListener('click', () => offer('luxpipe.csv', lines.csv(), 'text/csv'));
