@@ -67,6 +67,10 @@ std::string summary(const std::vector<View>& views, const std::vector<Verdict>& 
     return text;
 }
 
+std::string shades_line(const Between& closed, double limit) {
+    return fmt::format("shades    closed in {} hours: DGP above {:.2f}\n", count_text(closed), limit);
+}
+
 std::vector<std::string> column_names() {
     std::vector<std::string> names{"view", "hours", "dark", "undecided"};
     add_names({"above_0.35", "above_0.40", "above_0.45", "DGPe5", "GA"}, names);

@@ -13,6 +13,9 @@ namespace year {
 // once " -hours NAME" stands behind it.
 std::string summary(const std::vector<View>& views, const std::vector<Verdict>& verdicts, const std::string& command);
 
+// In how many hours shades are closed.
+std::string shades_line(const Between& closed, double limit);
+
 std::vector<std::string> column_names();
 std::vector<report::Cell> cells(const Verdict& verdict);
 

@@ -50,6 +50,15 @@ check 'without their number pixels are taken as large, without intervals values 
     cut -f 1-9 all.tsv > some.tsv; cut -f 1-4,7 all.tsv > exact.tsv
     vcyear some.tsv 2>&1 > out | grep -q "^vcyear: warning: some.tsv: no column pixels: pictures count as 64 x 64"
     vcyear exact.tsv 2>&1 > out | grep -q "^vcyear: warning: exact.tsv: no intervals"'
+check 'shades that close by glare, of a second table that has these hours' '
+    ptrace -w- -vf $office/view.vf -x 24 -y 24 -wea y.wea -frames 9 $office/materials.rad $office/layout.rad \
+        $office/blinds.rad 2> said | ptaccum -every x2/8 |
+        vcmetrics -W- -metrics Ev,DGPf,DGP.px,pixels -ci 95 > blinds.tsv
+    vcyear -closed blinds.tsv -close .9 all.tsv > rarely; vcyear -closed blinds.tsv -close 0 all.tsv > always
+    head -n 5 always | cmp - <(vcyear blinds.tsv)
+    grep -qx "shades    closed in 12 hours: DGP above 0.00" always; [ "$(wc -l < rarely)" = 6 ]'
+check_error 'which has to have them' 1 '^vcyear: -closed: has no 0121_[0-9]*, in which shades may be closed' '
+    sed /0121/d blinds.tsv > some.tsv; vcyear -closed some.tsv -close 0 all.tsv'
 check_error 'no table' 1 '^vcyear: no table; vcyear -help lists the options$' 'vcyear'
 check_error 'a table of no hours' 1 '^vcyear: t.tsv: has no column sky' '
     printf "frame\tDGP\n1\t.3\n" > t.tsv; vcyear t.tsv'

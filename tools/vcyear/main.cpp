@@ -11,6 +11,7 @@
 #include "year/honeybee.h"
 #include "year/next.h"
 #include "year/plot.h"
+#include "year/shades.h"
 #include "year/text.h"
 
 namespace {
@@ -43,7 +44,7 @@ std::vector<year::Grid> read_direct(const std::vector<std::string>& paths, const
 
 void refuse_options_of_views(const Options& o) {
     const std::pair<const char*, bool> of_views[] = {
-        {"-next", o.next}, {"-worst", o.worst > 0}, {"-view", !o.view.empty()}};
+        {"-next", o.next}, {"-worst", o.worst > 0}, {"-view", !o.view.empty()}, {"-closed", !o.closed.empty()}};
     for (const auto& [name, given] : of_views)
         if (given) base::fail(name, "is of views, not of sensors");
 }
@@ -79,8 +80,14 @@ void refuse_options_of_sensors(const Options& o) {
         if (given) base::fail(name, "is of sensors (vcmetrics -each), not of views");
 }
 
-std::string answer(const Options& opt, const std::vector<year::View>& views) {
+std::string answer(const Options& opt, std::vector<year::View> views) {
     refuse_options_of_sensors(opt);
+    std::string shades;
+    if (!opt.closed.empty()) {
+        year::Shaded shaded = year::with_shades(std::move(views), year::read_tables(opt.closed).views, opt.close_dgp);
+        views = std::move(shaded.views);
+        shades = year::shades_line(shaded.closed, opt.close_dgp);
+    }
     const double alpha = 1 - opt.percent / 100;
     std::vector<year::Verdict> verdicts;
     for (const year::View& v : views) verdicts.push_back(year::judge(v, alpha));
@@ -89,7 +96,7 @@ std::string answer(const Options& opt, const std::vector<year::View>& views) {
     if (opt.next) return year::need_lines(views, verdicts);
     if (opt.worst > 0) return year::worst_lines(views, size_t(opt.worst), opt.command);
     if (opt.format) return table(verdicts, *opt.format);
-    return year::summary(views, verdicts, opt.command);
+    return year::summary(views, verdicts, opt.command) + shades;
 }
 
 int work(int argc, char** argv) {

@@ -49,6 +49,10 @@ std::optional<int> parse_options(int argc, char** argv, Options& o) {
         .at_least(0);
     t.add("-command words", "Command that shows a view's hours, in front of -hours", o.command);
     t.add("-next", "Print the hours that could change the class, with frames or size that they need", o.next);
+    t.group("Shades");
+    t.add("-closed file", "Table of the same views with closed shades, for the hours in which a view is above -close",
+          o.closed);
+    t.add("-close dgp", "DGP with open shades above which they are closed", o.close_dgp).within(0, 1);
     t.group("Sensors");
     declare_goals(t, o.goals);
     t.add("-direct file", "Table of the same sensors under direct sun alone (ptrace -ab 0), for ASE", o.direct);

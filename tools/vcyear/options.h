@@ -12,6 +12,8 @@ struct Options {
     std::vector<std::string> tables;
     std::vector<std::string> direct;            // -direct: tables of a run with direct sun alone
     std::vector<std::string> points;            // -points: of -plot of grids
+    std::vector<std::string> closed;            // -closed: tables of a run with closed shades
+    double close_dgp = .4;                      // -close
     year::Goals goals;                          // -sda, -udi, -ase
     bool each = false;                          // -each: a row a sensor
     std::string view;                           // -view: this one alone
