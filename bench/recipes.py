@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""recipes.py FOLDER [RUNS]: Ladybug Tools' recipes by RADIANCE and by the folder that luxpipe-radiance makes.
+"""recipes.py FOLDER [RUNS [WEA]]: Ladybug Tools' recipes by RADIANCE and by the folder that luxpipe-radiance makes.
 
 Needs lbt-recipes and pyradiance beside this Python, and luxpipe or LUXPIPE_BIN.  A room of 4 x 6 m with a window to the
-south: point-in-time-view (rpict), HB Glare Postprocess's calls (evalglare on each picture) and point-in-time-grid
-(rtrace, which the folder links).  Prints a line a run: recipe, by what, numbers, processor and wall seconds.
+south: point-in-time-view (rpict), HB Glare Postprocess's calls (evalglare on each picture), and the recipes of grids,
+which call rtrace.  Prints a line a run: recipe, by what, numbers, processor and wall seconds.
 The numbers' noise is what differs between RUNS (2) of other seeds; RADIANCE's -ad stands for a seed.  The recipe
 renders 1600 x 1600 pixels and averages them to 800 x 800.
 """
@@ -25,6 +25,7 @@ from lbt_recipes.recipe import Recipe, RecipeSettings
 
 OUT = Path(sys.argv[1]).absolute()
 RUNS = int((sys.argv[2:] or ["2"])[0])
+WEA = (sys.argv[3:] or [None])[0]  # of leed-daylight-option-two
 SKY = "cie 21 Dec 12:00 -lat 42.36 -lon -71.06 -tz -5 -type 0"
 TOP = Path(__file__).resolve().parents[1]
 
@@ -53,12 +54,13 @@ def timed(call):
     return result, used() - cpu, time.monotonic() - wall
 
 
-def recipe(name, radiance, folder, **values):
+def recipe(name, radiance, folder, sky=SKY, **values):
     """Run a recipe with the programs of radiance/bin; return the folder of its results."""
     folders.radiance_path = str(radiance)
     run = Recipe(name)
     run.input_value_by_name("model", room())
-    run.input_value_by_name("sky", SKY)
+    if sky:
+        run.input_value_by_name("sky", sky)
     for key, value in values.items():
         run.input_value_by_name(key.replace("_", "-"), value)
     queenbee = Path(sys.executable).parent / "queenbee"
@@ -100,10 +102,17 @@ def main():
                     numbers, *took = timed(lambda: glare(tool, picture, task))
                     say(f"HB Glare Postprocess of {by}'s{' with a task' if task else ''}", eye,
                         " ".join(f"{x:.4f}" for x in numbers), *took)
-    for by, radiance in (("RADIANCE", theirs), ("luxpipe", ours)):
-        results, *took = timed(lambda: recipe("point-in-time-grid", radiance, OUT / f"grid{by}"))
-        lux = [float(line) for line in next(results.rglob("*.res")).read_text().split()]
-        say("point-in-time-grid", by, f"{len(lux)} points, mean {sum(lux) / len(lux):.1f} lux", *took)
+    os.environ.pop("LUXPIPE_OPTIONS", None)
+    grids = {"point-in-time-grid": {}, "daylight-factor": {"sky": None}, "sky-view": {"sky": None}}
+    if WEA:
+        grids["leed-daylight-option-two"] = {"sky": None, "wea": WEA}
+    for name, values in grids.items():
+        for by, radiance in (("RADIANCE", theirs), ("luxpipe", ours)):
+            results, *took = timed(lambda: recipe(name, radiance, OUT / f"{name}{by}", **values))
+            for file in sorted(results.rglob("*.res")):
+                found = [float(line) for line in file.read_text().split()]
+                numbers = f"{len(found)} points, mean {sum(found) / len(found):.5g}, min {min(found):.5g}"
+                say(f"{name} {file.parent.name}", by, numbers, *took)
 
 
 main()

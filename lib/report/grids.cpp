@@ -23,7 +23,8 @@ bool number_behind(const std::string& text, const std::string& word, double& num
 
 bool set_kind(const std::string& text, GridColumn& c) {
     const std::pair<const char*, Kind> words[] = {{"mean", Kind::mean},     {"min", Kind::min}, {"max", Kind::max},
-                                                  {"median", Kind::median}, {"U0", Kind::U0},   {"df", Kind::df}};
+                                                  {"median", Kind::median}, {"U0", Kind::U0},   {"df", Kind::df},
+                                                  {"each", Kind::each}};
     for (const auto& [word, kind] : words)
         if (text == word) return c.kind = kind, true;
     c.kind = Kind::share;
@@ -63,7 +64,7 @@ std::vector<GridColumn> grid_columns(const std::vector<std::string>& names, cons
         for (size_t g = 0; g < grids.size(); ++g) {
             if (of.empty() ? g == outside : grids[g].name != of) continue;
             GridColumn c{grids[g].name + "." + what, g, Kind::mean, 0, outside};
-            if (!set_kind(what, c))
+            if (!set_kind(what, c) || (c.kind == Kind::each && place != "-until"))
                 base::fail(place,
                            "\"" + name + "\" is not a number of a grid: mean, min, max, median, p5, U0, share300, df");
             if (c.kind == Kind::df && outside == grids.size())
@@ -73,6 +74,18 @@ std::vector<GridColumn> grid_columns(const std::vector<std::string>& names, cons
         if (out.size() == before) base::fail(place, "\"" + name + "\": there is no grid \"" + of + "\"");
     }
     return out;
+}
+
+bool holds(const Tolerance& rule, const GridColumn& c, const std::vector<NoisyValues>& grids) {
+    constexpr double alpha = .05;
+    const NoisyValues& v = grids[c.grid];
+    if (c.kind != Kind::each) {
+        const GridNumber n = grid_number(c, grids, alpha);
+        return n.limits.half_width() <= rule.of(n.value);
+    }
+    size_t narrow = 0;
+    for (size_t i = 0; i < v.value.size(); ++i) narrow += point_limits(v, i, alpha).half_width() <= rule.of(v.value[i]);
+    return 100 * narrow >= 95 * v.value.size();
 }
 
 GridNumber grid_number(const GridColumn& c, const std::vector<NoisyValues>& grids, double alpha) {
@@ -97,7 +110,8 @@ GridNumber grid_number(const GridColumn& c, const std::vector<NoisyValues>& grid
         const Interval u = ratio(least_limits(v, alpha), mean, 1);
         return {least(v.value) / v.mean.value, {u.low, u.high > 1 ? 1 : u.high}};
     }
-    case Kind::df: break;
+    case Kind::df:
+    case Kind::each: break;
     }
     const NoisyValues& out = grids[c.outside];
     return {100 * v.mean.value / out.mean.value, ratio(mean, mean_limits(out, alpha), 100)};

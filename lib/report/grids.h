@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 #include "image/points.h"
+#include "report/until.h"
 #include "uncertainty/points.h"
 
 namespace report {
@@ -11,7 +12,7 @@ namespace report {
 struct GridColumn {
     std::string name;  // "floor.share300"
     size_t grid = 0;
-    enum class Kind { mean, min, max, median, percentile, share, U0, df } kind = Kind::mean;
+    enum class Kind { mean, min, max, median, percentile, share, U0, df, each } kind = Kind::mean;
     double argument = 0;  // percentile as a share; limit in lx
     size_t outside = 0;   // df: the grid called outside
 };
@@ -29,6 +30,9 @@ struct GridNumber {
     double value = 0;
     uncertainty::Interval limits{0, 0};  // nan: not known
 };
+// Does a rule hold, with intervals of 95 %?  Of each: 95 of 100 points keep the tolerance of their own value.
+bool holds(const Tolerance& rule, const GridColumn& column, const std::vector<uncertainty::NoisyValues>& grids);
+// Not of each, which is a rule and no number.
 GridNumber grid_number(const GridColumn& column, const std::vector<uncertainty::NoisyValues>& grids, double alpha);
 
 }  // namespace report

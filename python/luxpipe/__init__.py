@@ -14,8 +14,9 @@ Examples:
     (64, 64, 3)
 
 A scene is files of RADIANCE (text, octrees) or the folder of a Honeybee model; a view is a view file or view options.
-`frames` gives the same step by step, `measure` measures pictures and arrays, `difference` compares two runs, `year`
-renders the hours of a weather file, `evalglare` and `rpict` take pyradiance's arguments.  Under all of them run ptrace,
+`frames` gives the same step by step, `measure` measures pictures and arrays, `difference` compares two runs, `sensors`
+gives illuminances of points, `year` renders the hours of a weather file, `evalglare`, `rpict` and `rtrace` take
+pyradiance's arguments.  Under all of them run ptrace,
 ptaccum and vcmetrics; the line that these print when they fail is the text of `luxpipe.Error`.
 """
 
@@ -25,6 +26,7 @@ from ._programs import Error, HERE as _HERE
 from ._radiance import evalglare, rpict, rtrace
 from ._render import Warning, frames, measure, read, render
 from ._result import Interval, Result
+from ._sensors import sensors
 from ._year import Year, year
 
 #: The folder of the example scenes: office, classroom, gallery.
@@ -33,7 +35,7 @@ if not examples.is_dir():  # a clone
     examples = _HERE.parents[1] / "examples" / "scenes"
 
 __all__ = ["Error", "Interval", "Result", "Warning", "Year", "difference", "evalglare", "examples", "frames", "measure",
-           "plot", "read", "render", "rpict", "rtrace", "year"]
+           "plot", "read", "render", "rpict", "rtrace", "sensors", "year"]
 
 
 def __getattr__(name: str) -> object:

@@ -10,8 +10,9 @@ import os
 import shutil
 import subprocess
 import sys
+import tempfile
 from pathlib import Path
-from typing import Sequence
+from typing import IO, Sequence
 
 HERE = Path(__file__).resolve().parent
 
@@ -53,6 +54,29 @@ def run(name: str, args: Sequence[str], stdin: bytes | bytearray | None = None, 
     if done.returncode and not (done.returncode in good and done.stdout):
         raise Error(last_line(done.stderr, name, done.returncode), done.returncode)
     return done.stdout
+
+
+def chain(steps: Sequence[Sequence[str]], stdin: int | IO[bytes] = subprocess.DEVNULL) -> tuple[bytes, str, int]:
+    """Run programs as a pipe; return the output of the last one, all that was said, and its status, 0 or 4.
+
+    Raise Error where one fails.  4: vcmetrics' rule was not met.
+    """
+    with tempfile.TemporaryFile() as said:
+        running: list[subprocess.Popen[bytes]] = []
+        for words in steps:
+            before = running[-1].stdout if running else stdin
+            running.append(subprocess.Popen(words, executable=program(words[0]), stdin=before, stdout=subprocess.PIPE,
+                                            stderr=said))
+            if not isinstance(before, int) and before is not None and len(running) > 1:
+                before.close()  # or the program would not see the next one end
+        output = running[-1].communicate()[0]
+        statuses = [one.wait() for one in running]
+        said.seek(0)
+        text = said.read()
+    for words, status in zip(steps, statuses):
+        if status and (words[0], status) != ("vcmetrics", 4):
+            raise Error(last_line(text, words[0], status), status)
+    return output, text.decode(errors="replace"), statuses[-1]
 
 
 def main() -> None:

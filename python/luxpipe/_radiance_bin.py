@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """luxpipe-radiance DIR: a folder that Honeybee, rad and Makefiles take for an installed RADIANCE.
 
-DIR/bin holds rpict and evalglare, which are luxpipe's, and links to all other programs of a RADIANCE that is there;
-DIR/lib is a link to its lib.
+DIR/bin holds rpict, rtrace and evalglare, which are luxpipe's, and links to all other programs of a RADIANCE that is
+there; DIR/lib is a link to its lib.
 """
 
 from __future__ import annotations
@@ -37,8 +37,10 @@ def find_radiance() -> Optional[Path]:
 def make(folder: Path, radiance: Optional[Path]) -> list[str]:
     """Fill the folder; return the names that Honeybee and rad may ask for and that are missing."""
     (folder / "bin").mkdir(parents=True, exist_ok=True)
-    here = f"import sys; sys.path.insert(0, {str(HERE.parent)!r}); from luxpipe._radiance_bin import rpict; rpict()"
-    ours = {"rpict": [sys.executable, "-c", here], "evalglare": [program("vcmetrics"), "-like", "evalglare"]}
+    here = f"import sys; sys.path.insert(0, {str(HERE.parent)!r}); from luxpipe."
+    ours = {"rpict": [sys.executable, "-c", here + "_radiance_bin import rpict; rpict()"],
+            "rtrace": [sys.executable, "-c", here + "_rtrace import main; main()"],
+            "evalglare": [program("vcmetrics"), "-like", "evalglare"]}
     for name in [] if radiance is None else sorted(os.listdir(radiance)):
         link(folder / "bin" / name, Path(radiance or "", name))
     if radiance is not None and (radiance.parent / "lib").is_dir():

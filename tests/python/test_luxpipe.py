@@ -166,8 +166,6 @@ def test_other_errors(monkeypatch):
         luxpipe.render(SCENE, VIEW, None, max_frames=None)
     with pytest.raises(FileNotFoundError, match="no_such.rad"):
         luxpipe.render("no_such.rad", VIEW)
-    with pytest.raises(luxpipe.Error, match="^luxpipe: rtrace: .*pyradiance"):
-        luxpipe.rtrace(b"0 0 0 0 0 1", "room.oct", irradiance=True)
     monkeypatch.setenv("LUXPIPE_BIN", "/nowhere")
     with pytest.raises(luxpipe.Error, match="ptrace: no such program in /nowhere"):
         luxpipe.render(SCENE, VIEW)

@@ -59,6 +59,7 @@ def test_examples_of_the_page(hdr, tmp_path, monkeypatch):
     for function in (luxpipe.render, luxpipe.frames, luxpipe.year):
         monkeypatch.setitem(function.__kwdefaults__, "size", 24)
     (tmp_path / "site.wea").write_text(WEATHER)
+    (tmp_path / "desk.pts").write_text("2 2 .8 0 0 1\n")
     (tmp_path / "photo.hdr").write_bytes(hdr.read_bytes())
     scene = [str(file) for file in SCENE]
     for name, seed in (("a", "1"), ("b", "2")):

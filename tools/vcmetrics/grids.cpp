@@ -70,20 +70,16 @@ GridState begin(const Options& o, const image::Header& h, Progress progress) {
     const std::vector<std::string> names = o.metrics.empty() ? base::split_list(default_grid_numbers, ',') : o.metrics;
     s.columns = grid_columns(names, h.grids, "-metrics");
     if (!o.until.empty())
-        for (const Tolerance& t : s.rule = parse_tolerances(o.until, "-until")) {
-            std::vector<GridColumn> one = grid_columns({t.metric}, h.grids, "-until");
-            if (one.size() > 1) base::fail("-until", "\"" + t.metric + "\" is of several grids: name one");
-            s.of_rule.push_back(one[0]);
-        }
+        for (const Tolerance& t : parse_tolerances(o.until, "-until"))
+            for (const GridColumn& c : grid_columns({t.metric}, h.grids, "-until"))
+                s.rule.push_back(t), s.of_rule.push_back(c);
     s.names = o.each ? names_of_points(s.points.empty(), !h.sky_name.empty()) : names_of_grids(o, h, s.columns);
     return s;
 }
 
 bool rule_holds(const GridState& s) {
-    for (size_t i = 0; i < s.rule.size(); ++i) {
-        const GridNumber n = grid_number(s.of_rule[i], s.grids, .05);
-        if (!(n.limits.high - n.limits.low <= 2 * s.rule[i].of(n.value))) return false;
-    }
+    for (size_t i = 0; i < s.rule.size(); ++i)
+        if (!holds(s.rule[i], s.of_rule[i], s.grids)) return false;
     return true;
 }
 
