@@ -95,6 +95,9 @@ certificate: all ## docs/certificate.md: what is older than lib is measured agai
 	@cmake --build "$(BUILD)" -j $(JOBS) --target blocks trace_rays bits_test
 	@BIN="$(BUILD)/bin" bash studies/certificate/make.sh $(or $(SIZE),128) $(or $(FRAMES),17)
 
+opencl-stacks: all ## other systems' drivers, for `certificate`: CACHE=FOLDER (debootstrap, root)
+	@python3 -B studies/certificate/opencl.py -bin "$(BUILD)/bin" "$(or $(CACHE),$(HOME)/.cache/luxpipe/opencl)"
+
 compare-radiance: all ## N=100 random scenes from SEED=1 on, by ptrace and by rtrace (where RADIANCE is)
 	@cmake --build "$(BUILD)" -j $(JOBS) --target trace_rays
 	@python3 tests/compare/radiance/compare.py -n $(or $(N),100) --seed $(or $(SEED),1) \
@@ -134,5 +137,5 @@ setup:
 	@[ "$(SETUP)" = no ] || $(ISPC)
 
 .PHONY: help all everything demo live test test-gpu test-slurm test-deb test-sanitize fuzz deb wheel test-wheel \
-	certificate year bench coverage coverage-sensors compare-radiance compare-evalglare \
+	certificate year opencl-stacks bench coverage coverage-sensors compare-radiance compare-evalglare \
 	man site format lint install uninstall clean setup

@@ -21,6 +21,8 @@ from ._programs import HERE, Error, program
 NEEDED = ("cnt dctimestep gendaylit gendaymtx gensky getinfo oconv pcomb pcompos pcond pfilt pvalue ra_tiff ra_xyze "
           "rad rcalc rcontrib rfluxmtx rtrace vwrays xform").split()
 
+MOST_FRAMES = 1024  # of a picture whose error stays above what is asked
+
 
 def find_radiance() -> Optional[Path]:
     """Return RADIANCE's bin folder: that of oconv in PATH, else pyradiance's."""
@@ -62,23 +64,11 @@ def link(name: Path, target: Path) -> None:
         name.symlink_to(target)
 
 
-def frames_for(args: list[str]) -> int:
-    """Return the number of frames for a picture: 64 up to 800 x 800, fewer above, where pixels are to be averaged.
-
-    >>> frames_for(["-x", "512", "-y", "512"]), frames_for(["-x", "1600", "-y", "1600"]), frames_for(["-x", "9999"])
-    (64, 16, 8)
-    """
-    try:
-        width, height = (int(args[args.index(option) + 1]) if option in args else 512 for option in ("-x", "-y"))
-    except (IndexError, ValueError):
-        return 64  # ptrace will say what is wrong
-    return max(8, min(64, 64 * 800 * 800 // max(width * height, 1)))
-
-
 def rpict() -> None:
     """Be rpict: the sum of frames of ptrace as an RGBE picture, to the standard output or -o; -ab is 0, as rpict's.
 
-    LUXPIPE_FRAMES is their number (else that of `frames_for`).
+    Frames end when the standard error of blocks of 8 x 8 pixels, which ptaccum estimates, is LUXPIPE_ERROR percent
+    (3, rms); LUXPIPE_FRAMES is a number of frames instead.
     LUXPIPE_OPTIONS has further options of ptrace, which recipes would refuse: "-seed 2 -device cpu".
     """
     args = ["-ab", "0", *shlex.split(os.environ.get("LUXPIPE_OPTIONS", "")), *sys.argv[1:]]
@@ -89,11 +79,12 @@ def rpict() -> None:
         at = args.index("-o")
         output = open(args[at + 1], "wb")
         del args[at:at + 2]
-    frames = int(os.environ.get("LUXPIPE_FRAMES") or frames_for(args))
-    trace = subprocess.Popen(["ptrace", "-moments-", "-frames", str(frames + 1), *args], executable=program("ptrace"),
-                             stdout=subprocess.PIPE)  # without moments, which an RGBE picture does not hold
-    total = subprocess.run(["ptaccum", "-last"], executable=program("ptaccum"), stdin=trace.stdout, stdout=output,
-                           stderr=subprocess.PIPE)
+    frames = os.environ.get("LUXPIPE_FRAMES")
+    until = [] if frames else ["-until", os.environ.get("LUXPIPE_ERROR") or "3"]
+    trace = subprocess.Popen(["ptrace", "-moments-", "-frames", str(int(frames or MOST_FRAMES) + 1), *args],
+                             executable=program("ptrace"), stdout=subprocess.PIPE)  # RGBE pictures hold no moments
+    total = subprocess.run(["ptaccum", "-last", *until], executable=program("ptaccum"), stdin=trace.stdout,
+                           stdout=output, stderr=subprocess.PIPE)
     assert trace.stdout
     trace.stdout.close()
     if trace.wait() == 0:  # else ptrace has said why

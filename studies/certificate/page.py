@@ -6,7 +6,6 @@ is typed here.
 page.py           writes both
 page.py -check    fails if the pages are not what their tables give"""
 
-import html
 import math
 import os
 import re
@@ -15,6 +14,7 @@ import sys
 TOP = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 sys.path.insert(0, os.path.join(TOP, "studies", "cie171"))
 from compare import table  # noqa: E402
+from as_html import as_html  # noqa: E402
 
 CIE = os.path.join(TOP, "studies", "cie171")
 HERE = os.path.join(TOP, "studies", "certificate")
@@ -193,8 +193,28 @@ def measured_part():
         *dict.fromkeys(r["command"] for r in rows),
         "```",
         "",
-        "Not measured here: intervals of whole years; Intel's OpenCL, PoCL 6 and Mesa's rusticl; a GPU.",
+        *opencl_part(),
+        *(["Not measured: intervals of whole years.", ""] if not any("year" in r["what"] for r in rows) else []),
+        "Not measured: a GPU.",
         "",
+    ]
+
+
+def opencl_part():
+    path = os.path.join(HERE, "opencl.tsv")
+    if not os.path.exists(path):
+        return ["OpenCL's drivers were not compared: `make opencl-stacks`.", ""]
+    return [
+        "Values of four frames of the office, 48 x 48 pixels, by OpenCL's drivers for processors, and how many have "
+        "the bits that the processor gives without OpenCL: `make opencl-stacks`, as root.",
+        "",
+        *markdown_table(
+            ["driver", "device", "values", "equal", "ptrace says", "seconds", "date", "commit"],
+            [
+                [r[k] for k in ("driver", "device", "tries", "held", "said", "seconds", "date", "commit")]
+                for r in table(path)[1]
+            ],
+        ),
     ]
 
 
@@ -225,41 +245,6 @@ def page():
         "`studies/cie171/README.md` has the geometry and the derivations, and what is not covered.",
     ]
     return "\n".join(lines) + "\n"
-
-
-def inline(text):
-    text = html.escape(text, quote=False)
-    text = re.sub(r"`([^`]*)`", r"<code>\1</code>", text)
-    return re.sub(r"\*([^*]+)\*", r"<em>\1</em>", text)
-
-
-def as_html(text):
-    """HTML of the Markdown that page() writes: headings, paragraphs, tables, one kind of code."""
-    out, rows, code = [], [], False
-    for line in text.split("\n"):
-        if rows and not line.startswith("|"):
-            body = ["<tr>" + "".join("<td>%s</td>" % inline(c) for c in r) + "</tr>" for r in rows[2:]]
-            out += ["<table><tr>%s</tr>" % "".join("<th>%s</th>" % inline(c) for c in rows[0]), *body, "</table>"]
-            rows = []
-        if line.startswith("```"):
-            out.append("</pre>" if code else "<pre>")
-            code = not code
-        elif line.startswith("|"):
-            rows.append([c.strip() for c in line.strip("|").split("|")])
-        elif line.startswith("#"):
-            level = len(line) - len(line.lstrip("#"))
-            out.append("<h%d>%s</h%d>" % (level, inline(line[level + 1 :]), level))
-        elif line:
-            out.append(html.escape(line) if code else "<p>%s</p>" % inline(line))
-    style = (
-        "body{font:16px/1.4 sans-serif;max-width:70em;margin:2em auto;padding:0 1em}table{border-collapse:collapse}"
-        "td,th{border:1px solid #ccc;padding:.2em .6em;text-align:left}"
-    )
-    return (
-        '<!DOCTYPE html>\n<html lang="en"><meta charset="utf-8"><title>luxpipe: certificate</title>'
-        '<style>%s</style>\n%s\n'
-        "</html>\n" % (style, "\n".join(out))
-    )
 
 
 def files():

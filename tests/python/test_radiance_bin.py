@@ -2,6 +2,7 @@
 """luxpipe-radiance: a folder that programs take for RADIANCE's."""
 
 import os
+import re
 import subprocess
 import sys
 
@@ -51,6 +52,24 @@ def test_rpict_and_evalglare(folder):
     assert luxpipe.measure(piped.stdout).row.get("frame", 0) in (0, 2)
     glare = subprocess.run([str(folder / "bin" / "evalglare"), "x.pic"], env=bare, capture_output=True, cwd=folder)
     assert glare.stdout == luxpipe.evalglare(folder / "x.pic") and b"dgp,dgi" in glare.stdout
+
+
+def frames_of(picture):
+    return int(re.search(rb"\nFRAMES=(\d+)\n", picture)[1])
+
+
+def test_rpict_takes_the_samples_that_its_error_asks_for(folder):
+    make(folder)
+    rpict = [str(folder / "bin" / "rpict"), "-ab", "2", "-x", "64", "-y", "64", "-vf", str(VIEW), *map(str, SCENE)]
+    count = {}
+    for error in ("8", "4", "2"):
+        done = subprocess.run(rpict, env={"PATH": "/usr/bin:/bin", "LUXPIPE_ERROR": error}, capture_output=True)
+        assert done.returncode == 0, done.stderr
+        count[error] = frames_of(done.stdout)
+    assert 1 < count["8"] < count["4"] < count["2"] < 300
+    assert count["2"] > 2 * count["4"]  # errors fall with the root of the frames
+    fixed = subprocess.run(rpict, env={"PATH": "/usr/bin:/bin", "LUXPIPE_FRAMES": "3"}, capture_output=True)
+    assert frames_of(fixed.stdout) == 3
 
 
 def test_rpict_fails_as_rpict(folder):

@@ -31,6 +31,20 @@ check 'the header holds VIEW= once, SEED=, FRAMES=, RANGE=, both command lines a
     grep -q "^mkstream frames 0 3" head && grep -q "^ptaccum -last" head && grep -q "^FORMAT=32-bit_rle_rgbe" head &&
         ! grep -q "^FRAME=" head'
 
+# Frame 0 is 10, all pixels of a frame k are k: after n frames the mean is 10 + (n + 1)/2 and its standard error
+# sqrt((n + 1)/12).  One block tells its error from 31 frames on.
+check '-until ends with the first sum whose blocks are as certain' '
+    mkstream numbers 0 60 > many.hdr
+    [ "$(ptaccum -last -ff -until 6 many.hdr | mkstream show | sed "s/.*FRAMES=//; s/ .*//")" = "$(awk "BEGIN {
+        for (n = 31; 100 * sqrt((n + 1) / 12) / (10 + (n + 1) / 2) > 6; ++n); print n }")" ]'
+check '-until that is never reached gives all frames' '
+    ptaccum -last -ff -until 1 many.hdr | mkstream show | grep -q "FRAMES=60 "'
+check_error '-until without -last' 1 '^ptaccum: -until: needs -last' 'ptaccum -until 1 many.hdr'
+check_error '-until 0' 1 '^ptaccum: -until: ' 'ptaccum -last -until 0 many.hdr'
+check_error '-until with a sum that goes on' 1 '^ptaccum: -until: needs the frames of a whole sum' '
+    mkstream frames 0 5 | ptaccum -last -o sum.exr; mkstream frames 6 7 > more.hdr
+    ptaccum -last -until 1 sum.exr more.hdr -o x.exr'
+
 # Ranges
 mkstream frames 0 63 | ptaccum -last -ff > whole.hdr
 for range in 0:9 10:40 41:63; do

@@ -60,7 +60,7 @@ void sum_frames(Pictures& pictures, image::Picture& frame, Sums&& sums) {
     base::finish_on_signal();
     try {
         do sums.add(frame, pictures.place());
-        while (!base::shutdown_requested() && pictures.next(frame));
+        while (!sums.done() && !base::shutdown_requested() && pictures.next(frame));
         sums.end_stream();
     } catch (const base::ClosedPipe&) {
         // The reader has seen enough; the files still get the last sum.

@@ -21,6 +21,8 @@ void declare_output(OptionTable& t, Options& opt) {
           [&](Arguments& a) { opt.schedule = film::Schedule::parse(a.text(), a.name()); })
         .default_text("1");
     t.add("-last", "Write the last sum only", opt.last_only);
+    t.add("-until percent", "With -last: end as soon as blocks of 8 x 8 pixels have this standard error, rms",
+          [&](Arguments& a) { opt.until_percent = a.real(base::above(0)); });
     t.add("-o file",
           "Write to this file (" + display::endings() + "), or with - to the standard output; may be repeated",
           opt.outputs)
@@ -75,6 +77,7 @@ std::optional<Options> parse_options(int argc, char** argv) {
     opt.command = table.command();
     opt.every_given = table.given("-every");
     if (opt.last_only && opt.every_given) base::fail("-last", "cannot be used with -every");
+    if (opt.until_percent && !opt.last_only) base::fail("-until", "needs -last");
     if (opt.floats && opt.bytes) base::fail("-ff", "cannot be used with -fc");
     const auto files_end = std::remove(opt.outputs.begin(), opt.outputs.end(), "-");
     const bool exr = std::any_of(opt.outputs.begin(), files_end,

@@ -15,8 +15,9 @@ struct Options {
     bool to_stdout = true;             // no -o, or one of them is "-"
     film::Schedule schedule;           // -every
     bool every_given = false;
-    bool last_only = false;              // -last
-    bool floats = false, bytes = false;  // -ff -fc: not what output.h says
+    bool last_only = false;               // -last
+    std::optional<double> until_percent;  // -until: of blocks' error
+    bool floats = false, bytes = false;   // -ff -fc: not what output.h says
     display::ToneOptions tone;
     bool filter = true;          // -filter: PNG files of frames that come in
     std::optional<int> batches;  // -batches: so many, for OpenEXR files

@@ -29,6 +29,7 @@ Sums::Sums(const Options& options, const Output& output)
 
 Sums::Sums(const Options& options, const Output& output, const image::Picture& sum, const std::string& name)
     : Sums(options, output) {
+    if (options.until_percent) base::fail("-until", "needs the frames of a whole sum, not a sum that goes on");
     sum_.resume(sum, name);
     filters_ = false;
     if (!sum.parts.empty() && !options.batches) parts_.emplace();
@@ -48,6 +49,10 @@ void Sums::add(const image::Picture& frame, const std::string& place) {
     }
     sum_.add(frame, place);
     if (restarts && parts_) parts_->restart();
+    if (options_.until_percent && !image::label(frame.header).empty())
+        base::fail("-until", "ends with the first sum, and these frames are of several views or skies");
+    if (options_.until_percent && restarts) blocks_.restart(frame);
+    else if (options_.until_percent) blocks_.add(frame);
     if (filters_ && frame.header.frame == 0) halves_.clear(frame.rgb.size());
     else if (filters_) halves_.add(frame.rgb);
     if (restarts) schedule_.restart(), moments_streamed_ = false;
@@ -56,6 +61,8 @@ void Sums::add(const image::Picture& frame, const std::string& place) {
     if (schedule_.due(sum_.frames())) write_due();
     if (progress_.due()) progress_.show(fmt::format("{} frames", sum_.frames()));
 }
+
+bool Sums::done() const { return options_.until_percent && 100 * blocks_.relative() <= *options_.until_percent; }
 
 void Sums::write_due() {
     const bool to_stdout = output_.to_stdout() && !options_.last_only;

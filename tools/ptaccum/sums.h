@@ -6,6 +6,7 @@
 #include <string>
 #include "base/progress.h"
 #include "film/accumulate.h"
+#include "film/block_error.h"
 #include "display/denoise.h"
 #include "output.h"
 
@@ -15,6 +16,7 @@ public:
     // Goes on from a sum made before.
     Sums(const Options& options, const Output& output, const image::Picture& sum, const std::string& name);
     void add(const image::Picture& frame, const std::string& place);
+    bool done() const;  // -until: blocks are certain enough
     void end_stream();  // the last sum to the standard output, if it is not there yet
     void end_files();   // likewise to the files
     // The frames are refused.  A stream of sums that promises no more would seem whole to its reader, which does not
@@ -35,6 +37,7 @@ private:
     film::Accumulator sum_;
     image::Picture result_;
     film::Schedule schedule_;
+    film::BlockError blocks_;                   // with -until
     std::optional<image::GrowingParts> parts_;  // with -batches
     bool filters_;                              // PNG files are asked for, and all frames come through here
     display::HalfSums halves_;                  // where it does
