@@ -9,7 +9,6 @@
 //     t.add("-frames N|A:B", "Frames 0 to N-1, or A to B", [&](Arguments& a) { read_frames(a.text(), opt); });
 //     if (auto operands = t.parse(argc, argv)) ...   none: a question (-help) was answered
 #pragma once
-#include <cstdint>
 #include <deque>
 #include <functional>
 #include <limits>

@@ -6,8 +6,6 @@
 #include "bvh/build.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstring>
 #include <memory>
 
 #include "bvh/bounds.h"

@@ -6,7 +6,6 @@
 #else
 #include <embree3/rtcore.h>
 #endif
-#include <memory>
 #include <new>
 #include <string>
 #include "base/error.h"

@@ -3,7 +3,6 @@
 // skies (CIE clear, intermediate, overcast; Perez et al. 1993; ISO 15469), luminaires, smooth meshes, glazings.
 // A file of the same name on RAYPATH is taken instead.  Skies blend into the ground by a = (Dz + 1.01)^10 as
 // (a sky + ground/a)/(a + 1/a), here with weight = a a.
-#include <cstring>
 #include "cal/library.h"
 
 namespace cal {

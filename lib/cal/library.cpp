@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Loading of function files and the look-up of names.
 #include "cal/library.h"
-#include <cerrno>
 #include <cstdio>
 #include "base/error.h"
 #include "base/open_file.h"

@@ -2,7 +2,6 @@
 // The native device: tiles of paths over all cores, with the widest instruction set of the machine.
 #include <algorithm>
 #include <atomic>
-#include <cstdlib>
 #include <iterator>
 
 #include <fmt/core.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Rays that the host gives to a device: to points of splatted emitters (render/splat_emitters.h), and pilot paths
+// Rays that the host gives to a device: to points of splatted emitters (render/drawn_sources.h), and pilot paths
 // (sampling/mixture_weights.h), with what comes back of these.
 #pragma once
 #include <cstdint>

@@ -2,7 +2,6 @@
 // The OpenCL device: wavefront kernels over buffers.  GPUs traverse the tree of bvh_compact.h, CPUs (PoCL) the tree of
 // bvh8.h.  Drivers cache compiled programs (PoCL, NVIDIA), so that only a first run waits for them.
 #include <cerrno>
-#include <cstring>
 #include <fmt/core.h>
 #include <optional>
 

@@ -3,7 +3,6 @@
 // Points are seen along the axis, or against their mean direction, along which they spread most: a horizontal grid from
 // above with +y up, a wall from its front with +z up.
 #pragma once
-#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>

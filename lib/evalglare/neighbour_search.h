@@ -5,7 +5,6 @@
 // stretch, the picture's border does not. A pixel whose direction rounds to a length above 1 is out of its own reach:
 // in its own row both steps end at once. That is how single bright pixels in one row stay apart in evalglare.
 #pragma once
-#include <cstdint>
 #include <cstdlib>
 #include <vector>
 #include "glare/geometry.h"

@@ -6,11 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fmt/core.h>
 
 #include "base/angle.h"
 #include "base/error.h"
-#include "scene/bsdf_xml.h"
 #include "flatten/pack.h"
 #include "kernels/dialect/host.h"
 

@@ -3,7 +3,6 @@
 #include "flatten/flat_scene.h"
 
 #include "base/memory.h"
-#include "flatten/pack.h"
 #include "kernels/dialect/host.h"
 
 namespace flatten {

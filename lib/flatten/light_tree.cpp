@@ -5,8 +5,6 @@
 #include "flatten/light_tree.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstring>
 
 #include "flatten/pack.h"
 #include "flatten/surfaces.h"

@@ -5,12 +5,10 @@
 
 #include <algorithm>
 #include <fmt/core.h>
-#include <map>
 
 #include "base/error.h"
 #include "base/find_file.h"
 #include "cal/pattern.h"
-#include "flatten/bsdf.h"
 #include "flatten/named_modifiers.h"
 #include "flatten/reflectance.h"
 #include "scene/bsdf_xml.h"

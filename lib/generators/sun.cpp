@@ -7,7 +7,6 @@
 #include <cctype>
 #include <cmath>
 #include <iterator>
-#include "base/angle.h"
 #include "base/error.h"
 #include "base/number.h"
 #include "base/printable.h"

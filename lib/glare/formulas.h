@@ -4,7 +4,6 @@
 // 2006 (paper Eq. 2); DGI Hopkinson/Chauvel; UGR CIE 117; CGI Einhorn 1979; VCP and DGR Guth 1963; UGP Hirning et al.
 // 2014/2017; veiling luminance Poynter, CIE 146.
 #pragma once
-#include <array>
 #include <vector>
 
 namespace glare {

@@ -4,7 +4,6 @@
 // Pixels that are not finite or exceed any light become 0 and are counted; negative pixels are counted and kept.
 #pragma once
 #include <cstddef>
-#include <vector>
 #include "image/grey.h"
 #include "image/picture.h"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Calculates each required quantity once, in the order of their dependence (measure.h).
 #include "glare/measure.h"
-#include <algorithm>
 #include <cmath>
 #include <functional>
 #include "glare/filled.h"

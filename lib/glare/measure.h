@@ -3,7 +3,6 @@
 //   Ev = sum L w cos (paper Eq. 1), DGP (Eq. 2 with evalglare's constants), RAMMG (Eqs. 5, 6), TAL and CR (Eqs. 3, 4).
 #pragma once
 #include <optional>
-#include <string>
 #include <vector>
 #include "glare/reading.h"
 #include "glare/statistics.h"

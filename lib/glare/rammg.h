@@ -4,7 +4,6 @@
 //   RAMMG = 1/m sum_levels 1/(8 n) sum_i sum_j a_j |L_i - L_j|,  a = 1/(4 + 2 sqrt 2) * (edge 1, corner sqrt(2)/2)
 // Levels while both sides are above 2; an odd top row or right column is dropped; neighbours outside contribute 0.
 #pragma once
-#include <vector>
 #include "glare/geometry.h"
 #include "glare/luminance.h"
 

@@ -7,7 +7,6 @@
 #include <vector>
 #include "glare/geometry.h"
 #include "glare/luminance.h"
-#include "image/masks.h"
 
 namespace glare {
 

@@ -5,7 +5,6 @@
 #include <limits>
 #include <optional>
 #include <string>
-#include <vector>
 #include "base/error.h"
 #include "glare/formulas.h"
 #include "view/position_index.h"

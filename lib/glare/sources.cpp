@@ -2,7 +2,6 @@
 // Groups of bright pixels, smoothed, without their peaks, split at zones: the glare sources (sources.h).
 #include "glare/sources.h"
 #include <algorithm>
-#include <cmath>
 #include "base/error.h"
 #include "glare/position_index.h"
 #include "glare/smooth.h"

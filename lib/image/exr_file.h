@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // OpenEXR files as named channels plus the text of a RADIANCE header: what pictures and masks share.
 #pragma once
-#include <array>
 #include <map>
 #include <memory>
 #include <optional>

@@ -4,7 +4,6 @@
 
 #include <cstring>
 #include <sstream>
-#include <vector>
 
 #include "image/stream.h"
 

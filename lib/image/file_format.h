@@ -3,7 +3,6 @@
 // file_format.cpp (man/luxpipe-stream.5 describes them).
 #pragma once
 #include <string>
-#include <vector>
 #include "image/exr.h"
 
 namespace image {

@@ -16,7 +16,8 @@ struct OddPixels {
     long not_finite = 0, negative = 0;
 };
 
-inline double grey(const float* rgb) {  // not rounded
+template <class Rgb>
+double grey(const Rgb& rgb) {  // not rounded
     return grey_red * double(rgb[0]) + grey_green * double(rgb[1]) + grey_blue * double(rgb[2]);
 }
 

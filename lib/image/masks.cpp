@@ -5,7 +5,6 @@
 #include <OpenEXR/ImfThreading.h>
 
 #include <algorithm>
-#include <cmath>
 #include <sstream>
 
 #include "base/error.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Reading and writing RADIANCE pictures one after another (man/luxpipe-stream.5), on files and pipes.
 #pragma once
-#include <cstdio>
 #include <memory>
 #include <string>
 #include "image/file_format.h"

@@ -2,7 +2,6 @@
 // RADIANCE pictures to a FILE or stdout.  Pixels are radiance times the header's exposure, for viewers.
 #include <fmt/format.h>
 
-#include <cstring>
 #include <functional>
 
 #include "base/run.h"

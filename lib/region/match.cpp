@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Wildcards, and the "did you mean" of names that do not exist.
-#include "region/match.h"
 #include <algorithm>
 #include <cctype>
 

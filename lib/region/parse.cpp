@@ -4,7 +4,6 @@
 // + union, - difference, & intersection, ! complement.  + and - need blanks around them (names may hold '-').
 // A name stands for a region above it, so there are no cycles.
 #include <cctype>
-#include <cmath>
 #include <iostream>
 #include <iterator>
 #include <fmt/format.h>

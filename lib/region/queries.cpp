@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include "base/error.h"
-#include "region/match.h"
 
 namespace region {
 namespace {

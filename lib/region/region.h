@@ -110,6 +110,9 @@ std::vector<Extent> count_pixels(const image::MaskSet& set, const view::View& vi
 // Throws Error for an empty region; warns of regions of fewer than 32 pixels and their cost.
 void check_sizes(const Regions& regions, const std::vector<Extent>& extents, bool warn_of_small = true);
 
+// Does the pattern mean the name?  * stands for any letters, ? for one.
+bool matches(const std::string& pattern, const std::string& name);
+
 // Up to three of `names` that a person may have meant by `name`, as ' (did you mean "a" or "b"?)'; empty if none is
 // near.
 std::string near_matches(const std::string& name, const std::vector<std::string>& names);

@@ -5,7 +5,6 @@
 // A pixel that comes out partly covered has its neighbours sampled as well, so that thin things are followed.
 // Nothing depends on threads or chance.
 #include <algorithm>
-#include <cmath>
 #include "region/border.h"
 #include "region/queries.h"
 #include "region/raster.h"

@@ -2,7 +2,6 @@
 // The lines of ptrace -control as commands.
 #pragma once
 #include <chrono>
-#include <memory>
 #include <optional>
 #include <string>
 

@@ -3,7 +3,6 @@
 #include "render/control.h"
 
 #include <algorithm>
-#include <chrono>
 
 #include "base/error.h"
 #include "base/files_read.h"

@@ -4,7 +4,6 @@
 // inotify: network folders have no events, every way of saving is covered, and 50 files cost 50 us.
 #pragma once
 #include <atomic>
-#include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <functional>

@@ -2,10 +2,17 @@
 // What frame 0 holds by area in a view: small sources seen straight, and images of the sun.
 #pragma once
 #include "render/loaded_scene.h"
-#include "render/splat_emitters.h"
 #include "render/sun_images.h"
 
 namespace render {
+
+// Rays to points of small bright sources, splatted into frame 0 by area.
+struct SplatList {
+    std::vector<device::SplatRay> rays;
+    std::vector<uint32_t> pixel;    // row from the top * nx + column, of each ray
+    std::vector<float> right, up;   // of the ray from the pixel's centre, in pixels
+    std::vector<uint32_t> sources;  // all that are drawn so
+};
 
 struct DrawnSources {
     SplatList straight;

@@ -5,7 +5,6 @@
 #include "render/make_device.h"
 
 #include "base/error.h"
-#include "device/device.h"
 #include "device/kernel_cache.h"
 #include "render/self_test.h"
 

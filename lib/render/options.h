@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <limits>
 #include <string>
-#include <vector>
 #include "flatten/flatten.h"
 #include "image/picture.h"
 #include "view/view.h"

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "image/grey.h"
-#include "image/picture.h"
 
 namespace render {
 using namespace kernels;

@@ -7,7 +7,6 @@
 // chapter 3).  Pairs are drawn where the samples of frame 0 differ; no frame contains them.  Splatted emitters add
 // their exact part.
 #pragma once
-#include "image/picture.h"
 #include "render/frame_zero.h"
 
 namespace render {

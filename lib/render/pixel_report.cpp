@@ -20,9 +20,6 @@ using From = device::RecordedLight::From;
 
 namespace {
 Rgb times(const Rgb& a, const Rgb& b) { return {a[0] * b[0], a[1] * b[1], a[2] * b[2]}; }
-double grey_of(const Rgb& rgb) {
-    return image::grey_red * rgb[0] + image::grey_green * rgb[1] + image::grey_blue * rgb[2];
-}
 Rgb times(const Rgb& a, double b) { return {a[0] * b, a[1] * b, a[2] * b}; }
 
 class Explainer {
@@ -198,8 +195,8 @@ MomentReport explain_moments(device::Device& device, const ViewPlan& plan, const
                 if (row.light.empty()) return;
                 std::vector<double>& light = by_light[set][row.light];
                 light.resize(n);
-                light[p.first] += grey_of(row.rgb);
-                sum[set][p.first] += grey_of(row.rgb);
+                light[p.first] += image::grey(row.rgb);
+                sum[set][p.first] += image::grey(row.rgb);
             };
             Explainer(plan, scene, pixel, add).place(p);
         }

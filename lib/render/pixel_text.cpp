@@ -10,14 +10,10 @@
 namespace render {
 namespace {
 
-double grey_of(const device::Rgb& rgb) {
-    return image::grey_red * rgb[0] + image::grey_green * rgb[1] + image::grey_blue * rgb[2];
-}
-
 // In percent of the pixel's luminance.
 std::string share(const device::Rgb& rgb, const PixelSums& sums) {
-    const double all = grey_of(sums.all);
-    return all != 0 ? fmt::format("{:.4g}", 100 * grey_of(rgb) / all) : "0";
+    const double all = image::grey(sums.all);
+    return all != 0 ? fmt::format("{:.4g}", 100 * image::grey(rgb) / all) : "0";
 }
 
 std::string triple(const device::Rgb& v, const char* between) {
@@ -51,7 +47,7 @@ std::string sum_table(const PixelSums& sums) {
     std::string out = "by\tname\tred\tgreen\tblue\tshare\n";
     std::vector<std::pair<std::string, device::Rgb>> lights(sums.by_light.begin(), sums.by_light.end());
     std::stable_sort(lights.begin(), lights.end(),
-                     [](const auto& a, const auto& b) { return grey_of(a.second) > grey_of(b.second); });
+                     [](const auto& a, const auto& b) { return image::grey(a.second) > image::grey(b.second); });
     for (const auto& [name, rgb] : lights) out += sum_row("light", name, rgb, sums);
     for (const auto& [bounces, rgb] : sums.by_bounces) out += sum_row("bounces", std::to_string(bounces), rgb, sums);
     return out + sum_row("pixel", "", sums.all, sums);

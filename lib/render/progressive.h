@@ -9,7 +9,6 @@
 #include <memory>
 #include <string>
 #include <vector>
-#include "image/picture.h"
 #include "render/options.h"
 #include "render/pixel_report.h"
 #include "render/view_plan.h"

@@ -2,11 +2,9 @@
 // See self_test.h.
 #include "render/self_test.h"
 
-#include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <cstring>
-#include <fmt/core.h>
 #include <fstream>
 
 #include "base/error.h"

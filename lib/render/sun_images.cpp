@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include "flatten/pack.h"
 #include "kernels/dialect/host.h"

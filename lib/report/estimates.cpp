@@ -3,10 +3,13 @@
 #include "report/estimates.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 
-#include "report/moment_error.h"
+#include "base/processors.h"
+#include "base/threads.h"
+#include "uncertainty/frame0.h"
 #include "uncertainty/threshold_filter.h"
 
 namespace report {
@@ -53,6 +56,42 @@ uncertainty::Values values(const std::vector<glare::Column>& columns, const glar
     for (const glare::Column& c : columns)
         out.push_back(regions_alone && quantity_of(c.noise).method != Method::jackknife ? nan : c.value(m));
     return out;
+}
+
+// v + e (up: 1) or v - e (-1); below 0 there is none.
+image::Moments moved(const std::vector<float>& moments, int pair, float up) {
+    std::vector<float> out = moments;
+    for (size_t i = 0; i < out.size(); i += image::moment_numbers) {
+        const auto sign = float(uncertainty::random_sign(uint32_t(i / image::moment_numbers), pair));
+        float& v = out[i + image::moment_variance];
+        v = std::max(0.0f, v + up * sign * out[i + image::moment_difference]);
+    }
+    return std::make_shared<const std::vector<float>>(std::move(out));
+}
+
+constexpr int moment_pairs = 4;
+
+// The error that columns of filled pixels (filled.h) have from that of the variance inside of pixels, which is
+// estimated once, in frame 0: the same in all replicates of frames.
+// Each pixel's variance has a known error e (image/moments.h).  Pairs of measurements with variances v + e and v - e,
+// with a random sign for each pixel, give the column's error: the mean square of half their differences (balanced
+// repeated replication with random signs; Wolter, Introduction to Variance Estimation, 2007, chapter 3).  Two values of
+// each column from each pair, 0 for columns that are not of filled pixels; empty: none is known.
+std::vector<uncertainty::Values> moment_values(const glare::Reading& whole, const std::vector<glare::Column>& columns) {
+    const image::Moments& moments = whole.lum.moments;
+    const auto of_filled = [](const glare::Column& c) { return c.of_filled; };
+    if (!moments || std::none_of(columns.begin(), columns.end(), of_filled)) return {};
+    std::vector<uncertainty::Values> seen(2 * moment_pairs);
+    std::atomic<size_t> next{0};
+    base::on_threads(std::min(base::processors(), unsigned(seen.size())), [&] {
+        for (size_t k = next++; k < seen.size(); k = next++) {
+            glare::Luminance here = whole.lum;
+            here.moments = moved(*moments, int(k / 2), k % 2 ? -1 : 1);
+            const glare::Measurement m = glare::measure(whole, here, here);
+            for (const glare::Column& c : columns) seen[k].push_back(c.of_filled ? c.value(m) : 0);
+        }
+    });
+    return seen;
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include "report/grids.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "base/error.h"

@@ -10,7 +10,6 @@
 
 #include "base/angle.h"
 #include "glare/columns.h"
-#include "image/header.h"
 #include "report/page_figures.h"
 #include "report/page_style.h"
 #include "report/table.h"

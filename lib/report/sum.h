@@ -2,7 +2,6 @@
 // A growing sum of frames, picture by picture: its parts and the last look at them.
 // A look is due after 2, 3, 4, 6, 8, 11, 16, 23 ... frames; it measures the picture and its replicates.
 #pragma once
-#include <optional>
 #include <string>
 #include <vector>
 #include "image/picture.h"

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <sstream>
 #include "base/error.h"
 #include "base/number.h"

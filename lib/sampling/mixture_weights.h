@@ -2,7 +2,6 @@
 // Where diffuse directions aim: how many of them toward each window and patch of sun (kernels/sampling/portals.h), none
 // where that would not make less noise, and how many toward highlights (kernels/sampling/highlights.h).
 #pragma once
-#include <vector>
 #include "device/device.h"
 
 namespace sampling {

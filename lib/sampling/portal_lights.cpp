@@ -5,7 +5,6 @@
 #include "sampling/portal_lights.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace kernels {
 #include "kernels/bvh/instance.h"

@@ -10,7 +10,6 @@
 #include "base/angle.h"
 #include "flatten/host_tracer.h"
 #include "flatten/pack.h"
-#include "sampling/patches.h"
 #include "kernels/dialect/host.h"
 
 namespace sampling {

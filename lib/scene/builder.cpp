@@ -7,7 +7,6 @@
 #include "base/memory.h"
 #include "base/printable.h"
 #include "scene/materials.h"
-#include "scene/types.h"
 
 namespace scene {
 

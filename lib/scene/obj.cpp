@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Wavefront .obj: v, vt, vn, f (any number of corners, indices from 1 or from the end) and usemtl.  Other lines mean
 // nothing here.  A corner "position/texture/normal" becomes one vertex of the mesh; faces are cut into triangles.
-#include <cmath>
 #include <unordered_map>
 #include "base/error.h"
 #include "base/number.h"

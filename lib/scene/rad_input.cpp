@@ -7,9 +7,7 @@
 
 #include <cctype>
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
-#include <iterator>
 #include <map>
 #include <sstream>
 

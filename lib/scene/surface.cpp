@@ -4,7 +4,6 @@
 #include "base/error.h"
 #include "base/vec.h"
 #include "scene/builder.h"
-#include "scene/types.h"
 
 namespace scene {
 

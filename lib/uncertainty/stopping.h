@@ -5,7 +5,6 @@
 // A rule on the class depends on the value, and each look is a chance to be wrong: all looks have the same level, by
 // which all of them together are wrong with probability alpha (Pocock, Biometrika 64, 1977).
 #pragma once
-#include <cstdint>
 #include <functional>
 
 #include "uncertainty/estimate.h"

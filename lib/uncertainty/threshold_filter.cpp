@@ -3,7 +3,6 @@
 #include "uncertainty/threshold_filter.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace uncertainty {
 namespace {

@@ -5,7 +5,6 @@
 #include "base/error.h"
 #include "base/edit_distance.h"
 #include "region/region.h"
-#include "region/match.h"
 
 using namespace region;
 

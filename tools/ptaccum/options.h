@@ -6,7 +6,6 @@
 #include <vector>
 #include "display/tone.h"
 #include "film/accumulate.h"
-#include "image/picture.h"
 
 struct Options {
     std::string command;               // the whole command line, for headers

@@ -11,7 +11,6 @@
 
 #include "base/error.h"
 #include "base/model_folder.h"
-#include "base/processors.h"
 #include "base/run.h"
 #include "base/warnings.h"
 #include "declare.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Reads both sides, compares them and prints a line for each metric (compare_inputs.h).
 #include "compare_inputs.h"
-#include <cmath>
 #include <sstream>
 #include <unistd.h>
 #include "base/error.h"
