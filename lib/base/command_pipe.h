@@ -30,7 +30,7 @@ private:
     bool too_long_ = false;  // the line whose end is awaited
 };
 
-// Sends one line to whoever reads the FIFO.  Throws Error (system) where nobody does.
+// Sends one line to the reader of the FIFO.  Throws Error (system) where it has none.
 void send_command(const std::string& path, const std::string& line);
 
 }  // namespace base

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// read(2) and write(2) that go on after a signal, and that wait where whoever gave us the descriptor made it
+// read(2) and write(2) that go on after a signal, and that wait where the program that gave us the descriptor made it
 // non-blocking (a terminal multiplexer, node, ssh).
 #pragma once
 #include <sys/types.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Errors of the system and the collection of warnings.
-// A warning's cause is its fact; the first place is shown at once (when a tool has opened the sink),
+// Warnings of the same fact have one cause: the first place is shown at once (when a tool has opened the sink), and
 // further places are only counted, so that a scene of a million bad polygons gives two lines.
 #include "base/error.h"
 

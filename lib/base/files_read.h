@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The files that this process has read, for rules of make (ptrace -M): whoever opens one by name notes it.
+// The files that this process has read, for rules of make (ptrace -M); every function that opens one by name notes it.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -35,7 +35,7 @@ void may_replace(const std::string& path);
 // Each once, in the order in which they were first read.
 std::vector<std::string> files_read();
 
-// For whoever reads them again when they change (ptrace -watch): the paths noted so far, which are forgotten.
+// Returns the paths noted so far and forgets them, for a program that reads files again (ptrace -watch).
 std::vector<std::string> forget_files_read();
 
 // The files noted as they are on the disk now, compared with when they were noted.

@@ -44,7 +44,7 @@ bool same_file(const struct stat& a, const struct stat& b) { return a.st_dev == 
 
 void require_ordinary_file(const std::string& path, const std::string& who) {
     struct stat info;
-    if (stat(path.c_str(), &info) != 0) return;  // reported by whoever opens it
+    if (stat(path.c_str(), &info) != 0) return;  // the function that opens it reports this
     if ((!S_ISREG(info.st_mode) && !S_ISDIR(info.st_mode)) || lies_in_kernels_folders(path)) refuse(path, who);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Text that stands for a file, wherever open_file() opens it, until the file changes on disk (ptrace -control): a
-// number that is tried need not be saved.
+// Text that open_file() reads in place of a file until the file changes on disk (ptrace -control), so that a user can
+// try a number without saving it.
 #pragma once
 #include <cstdint>
 #include <string>

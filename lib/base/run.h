@@ -24,7 +24,7 @@ void say(const std::string& text);
 void say_on_terminal(const std::string& text);  // if stderr is a terminal
 bool stdout_is_file();                          // what is written is kept under a name
 bool stdout_is_closed();                        // the reader of the pipe has gone: for tools that write seldom
-void leave_stdout();                            // nothing will be written: whoever reads the pipe gets its end at once
+void leave_stdout();                            // nothing will be written: the reader of the pipe gets its end at once
 
 // "a b 'c d'": the command line as one header line, quoted for the shell where needed.
 std::string command_line(const std::vector<std::string>& words);

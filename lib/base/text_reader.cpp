@@ -24,7 +24,8 @@ TextReader TextReader::from_file(const std::string& path, const std::string& ask
     TextReader s;
     s.close_ = path != "-" || !asked_by.empty();  // the standard input is the user's
     s.name_ = s.close_ ? path : "stdin";
-    if (s.close_) note_file_read(path);  // before it is opened: whoever waits for a change waits for it to come to be
+    // Before it is opened: a program that waits for changes also waits for a file that does not exist yet.
+    if (s.close_) note_file_read(path);
     s.fd_ = s.close_ ? open_file(path, asked_by) : 0;
     struct stat st;
     if (fstat(s.fd_, &st) == 0) {

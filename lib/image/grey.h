@@ -9,7 +9,8 @@ namespace image {
 
 constexpr double grey_red = 0.26510582010582007, grey_green = 0.67010582010581987, grey_blue = 0.064788359788359784;
 
-// A pixel beyond this is a mistake of whoever wrote it (the sun is 1e7); sums over such pixels would not be finite.
+// A pixel beyond this is a mistake of the program that wrote it (the sun is 1e7); sums over such pixels would not be
+// finite.
 constexpr float brightest_grey = 1e30f;
 
 struct OddPixels {

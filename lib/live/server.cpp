@@ -155,7 +155,7 @@ struct Server::State {
         return changed;
     }
 
-    // 0: whoever asks knows the token; else why not.
+    // 0: the request has the token; else the status that refuses it.
     unsigned refused(MHD_Connection* connection) const {
         for (const char* name : {"Host", "Origin", "X-Luxpipe-Token", "If-Match"})
             if (headers(connection, name).size() > 1) return MHD_HTTP_BAD_REQUEST;

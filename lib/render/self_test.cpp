@@ -68,7 +68,7 @@ bool same_bits(const std::vector<float>& a, const std::vector<float>& b) {
     return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * 4) == 0;
 }
 
-// One different bit can change a path: few pixels may differ, but not the sum of all.
+// A single differing bit can change a path, so that a few pixels may differ, but not the sum of all.
 bool is_garbage(const std::vector<float>& here, const std::vector<float>& there) {
     constexpr double few = .1, near = 1e-3;
     size_t far = 0;

@@ -10,7 +10,7 @@
 
 namespace uncertainty {
 
-// The way in which the error of a quantity is estimated.
+// How the error of a quantity is estimated.
 struct Quantity {
     enum class Method { none, half_samples, jackknife };
     Method method = Method::none;

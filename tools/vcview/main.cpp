@@ -111,7 +111,7 @@ int work(const Options& options) {
         lines.join();
         status = child->wait();
     }
-    close(0);  // whoever still writes to us may end
+    close(0);  // a program that still writes to us may end
     page.put_end(status);
     if (options.stay && page.picture() && !base::shutdown_requested()) {
         base::leave_stdout();

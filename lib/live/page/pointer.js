@@ -1,5 +1,5 @@
-// The pointer on the picture: whoever wants a press has it until it ends; else it moves the picture.  Two fingers and the
-// wheel zoom.
+// The pointer on the picture: the part of the page that takes a press keeps it until it ends; a press that none takes moves
+// the picture.  Two fingers and the wheel zoom.
 
 // takers: objects with down(at, place, reach) -> taken, move(at, place, event), up(); hover(at): of a pixel, or null.
 // click(at): of a pixel, where the pointer was pressed and has not moved.

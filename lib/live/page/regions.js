@@ -210,7 +210,7 @@ export class Regions {
 
   // ---- drawing a new one
 
-  // names: of so many one after another; else it is named by whoever draws it.
+  // names: of so many one after another; else the user who draws it names it.
   begin(kind, names = []) {
     const picture = this.picture();
     if (!picture || !this.file?.writable) return;
@@ -229,7 +229,7 @@ export class Regions {
     if (names.length > 1) this.begin(kind, names.slice(1));
     if (names.length) return this.save(set_region(names[0], shape_text(shape)), names[0]);
     const name = free_name(this.text), saved = this.save(add(name, shape_text(shape)), name);
-    this.fill_table();  // whoever draws goes on and types its name
+    this.fill_table();  // the user goes on and types its name
     const field = document.querySelector(`#regions .name[data-region="${name}"]`);
     field?.focus();
     field?.select();
