@@ -2,7 +2,6 @@
 // See recorded_paths.h.
 #include "device/recorded_paths.h"
 
-
 #include "device/scene_tables.h"
 
 namespace kernels {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The open connections of the web server.  A connection that has not shown the token is a stranger: of these only the
-// newest stay, and each has a few seconds for a whole question, so that no crowd of them shuts out those who know the token.
+// newest stay, and each has a few seconds for a whole question, so that no crowd of them shuts out those who know the
+// token.
 #pragma once
 #include <chrono>
 #include <cstddef>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Intervals for numbers of a set of noisy values, such as the sensors of a grid: mean, share above a limit,
-// percentiles, the least.  Noise blurs a distribution: the least of noisy values is too low, and the share above a limit
-// is off where many values lie near it.  So only the mean's interval comes from its own scatter; the other intervals
-// come from values that are shifted by their errors.
+// percentiles, the least.  Noise blurs a distribution: the least of noisy values is too low, and the share above a
+// limit is off where many values lie near it.  So only the mean's interval comes from its own scatter; the other
+// intervals come from values that are shifted by their errors.
 //
 // Errors of many values cancel in a share or percentile, and their blur moves it by up to one standard error; where one
 // value decides, its own t standard errors count.  Between them: of the errors e_i of values near the number, with
