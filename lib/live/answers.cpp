@@ -119,12 +119,16 @@ std::optional<Answer> answer_next(Live& live, const Arguments& arguments) {
     return packed(text + "}", news->shown.get());
 }
 
-Answer answer_put(const Files& files, const Arguments& arguments, const std::string& text, const std::string& tag) {
+Answer answer_put(Live& live, const Files& files, const Arguments& arguments, const std::string& text,
+                  const std::string& tag) {
     const TextFile* f = named(files, arguments);
     if (!f) return plain(404, "no such file");
     if (!f->writable) return plain(403, f->path + " was not named to be written");
     try {
+        const FileNow before = f->read();
         if (!f->write(text, tag)) return plain(412, f->path + " has been changed by another program");
+        if (f->kind == TextFile::Kind::regions)
+            live.change([&](Design& d) { d.wrote(size_t(f - files.data()), before.text, f->read().tag); });
     } catch (const base::Error& e) {
         return plain(e.kind == base::Kind::input ? 400 : 500, e.text);
     }

@@ -33,6 +33,7 @@ std::optional<Answer> answer_report(Asked& report, const Arguments& arguments);
 // The other questions of GET.
 Answer answer_query(const Live& live, const Files& files, const std::string& path, const Arguments& arguments);
 // PUT /file: the new text, and the tag of the text that it was made from.
-Answer answer_put(const Files& files, const Arguments& arguments, const std::string& text, const std::string& tag);
+Answer answer_put(Live& live, const Files& files, const Arguments& arguments, const std::string& text,
+                  const std::string& tag);
 
 }  // namespace live

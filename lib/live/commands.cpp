@@ -45,24 +45,17 @@ Answer control(const Commanded& to, const std::string& text) {
     return answer;
 }
 
-// A text that stands for a file of -edit until the file changes on the disk; nothing: the last change is undone.
-Answer overlay(const Commanded& to, const Arguments& asked, std::optional<std::string> text) {
+// A text that stands for a file of -edit until the file changes on the disk.
+Answer overlay(const Commanded& to, const Arguments& asked, const std::string& text) {
     const TextFile* f = named(to.files, asked);
     if (!f || f->kind != TextFile::Kind::scene) return plain(404, "no such file");
-    const size_t n = size_t(f - to.files.data());
-    const Design::Text was = to.live.ask([&](const Design& d) { return d.texts[n]; });
-    if (asked("version") != std::to_string(was.version))
-        return plain(412, f->path + " has been changed in another window");
-    const bool undoes = !text;
-    if (undoes && was.before.empty()) return plain(409, "there is nothing to undo");
-    if (undoes) text = was.before.back();
-    Answer answer = to_fifo(to, noted(undoes ? f->path + ": undone" : asked("said")) + overlaying(*f, text));
+    const size_t n = size_t(f - to.files.data()),
+                 version = to.live.ask([&](const Design&d) { return d.texts[n].version; });
+    if (asked("version") != std::to_string(version)) return plain(412, f->path + " has been changed in another window");
+    Answer answer = to_fifo(to, noted(asked("said")) + overlaying(*f, text));
     if (answer.status != 204) return answer;
-    to.live.change([&](Design& d) {
-        if (undoes) d.undo(n);
-        else d.change(n, std::move(*text), !asked("going").empty());
-    });
-    return {200, "text/plain; charset=utf-8", "", std::to_string(was.version + 1)};
+    to.live.change([&](Design& d) { d.change(n, text, !asked("going").empty()); });
+    return {200, "text/plain; charset=utf-8", "", std::to_string(version + 1)};
 }
 
 Answer back(const Commanded& to) {
@@ -71,6 +64,31 @@ Answer back(const Commanded& to) {
     Answer answer = to_fifo(to, "view " + views[views.size() - 2] + "\n");
     if (answer.status == 204) to.live.change([](Design& d) { d.back(); });
     return answer;
+}
+
+Answer undo_text(const Commanded& to, size_t n) {
+    const auto before = to.live.ask([&](const Design& d) { return d.texts[n].before.back(); });
+    Answer answer = to_fifo(to, noted(to.files[n].path + ": undone") + overlaying(to.files[n], before));
+    if (answer.status == 204) to.live.change([&](Design& d) { d.undo(n); });
+    return answer;
+}
+
+Answer undo_regions(const Commanded& to, const Design::Step& step) {
+    const bool done = to.files[step.file].write(step.before, step.tag);
+    to.live.change([&](Design& d) { d.take_back(step.of, step.file); });
+    return done ? Answer{204, "", ""} : plain(409, to.files[step.file].path + " has been changed since");
+}
+
+// The latest change of this state of the design.
+Answer undo(const Commanded& to, const Arguments& asked) {
+    const auto [steps, state] = to.live.ask([](const Design& d) { return std::pair(d.steps, d.step_changes); });
+    if (asked("state") != std::to_string(state)) return plain(412, "the design has been changed meanwhile");
+    if (steps.empty()) return plain(409, "there is nothing to undo");
+    const Design::Step& last = steps.back();
+    using Of = Design::Step::Of;
+    Answer done = last.of == Of::text ? undo_text(to, last.file) : last.of == Of::view ? back(to) : undo_regions(to, last);
+    done.tag = to.live.ask([](const Design& d) { return std::to_string(d.step_changes); });
+    return done;
 }
 
 // The first letter, or number behind a word, that no item of a list has as its name.
@@ -160,7 +178,7 @@ void give_opened(const Commanded& to) {
 Answer answer_command(const Commanded& to, const std::string& path, const Arguments& asked, const std::string& body) {
     if (path == "/control") return control(to, body);
     if (path == "/overlay") return overlay(to, asked, body);
-    if (path == "/undo") return overlay(to, asked, std::nullopt);
+    if (path == "/undo") return undo(to, asked);
     if (path == "/back") return back(to);
     if (path == "/variant") return variant(to, asked);
     if (path == "/place") return place(to, asked);

@@ -27,7 +27,7 @@ std::string short_number(const std::string& text) {
 
 void Design::change(size_t n, std::string text, bool goes_on) {
     Text& t = texts[n];
-    if (!t.going) t.before.push_back(t.now);
+    if (!t.going) t.before.push_back(t.now), step({Step::Of::text, n});
     keep_last(t.before, most_undone);
     t.going = goes_on;
     if (preview) preview = std::chrono::steady_clock::now();
@@ -42,6 +42,7 @@ void Design::undo(size_t n) {
     if (t.before.empty()) return;
     t.now = t.before.back();
     t.before.pop_back();
+    take_back(Step::Of::text, n);
     t.going = false;
     ++t.version;
     paused = false;
@@ -50,7 +51,7 @@ void Design::undo(size_t n) {
 
 void Design::replaced(size_t n, const std::string& on_disk) {
     Text& t = texts[n];
-    if (t.now && *t.now != on_disk) t.before.push_back(t.now);
+    if (t.now && *t.now != on_disk) t.before.push_back(t.now), step({Step::Of::text, n});
     t.now.reset();
     t.going = false;
     ++t.version;
@@ -73,7 +74,25 @@ void Design::obey(const std::string& commands) {
 bool Design::back() {
     if (views.size() < 2) return false;
     views.pop_back();
+    take_back(Step::Of::view, 0);
     return true;
+}
+
+void Design::wrote(size_t n, std::string before, std::string tag) {
+    step({Step::Of::regions, n, std::move(before), std::move(tag)});
+}
+
+void Design::step(Step step) {
+    steps.push_back(std::move(step));
+    keep_last(steps, most_undone);
+    ++step_changes;
+}
+
+void Design::take_back(Step::Of of, size_t n) {
+    const auto last =
+        std::find_if(steps.rbegin(), steps.rend(), [&](const Step& s) { return s.of == of && s.file == n; });
+    if (last != steps.rend()) steps.erase(std::next(last).base());
+    ++step_changes;
 }
 
 // A view changes with the number of the edit alone: late pictures of the edit before do not count.  Messages stay
@@ -84,7 +103,10 @@ bool Design::note(const image::Header& h) {
     edits.emplace_back(number, h.edited);
     const std::string view = h.view ? view::to_options(*h.view) : "";
     const bool before = reopened && number == 0;  // of the command line
-    if (!view.empty() && !before && (views.empty() || views.back() != view)) views.push_back(view);
+    if (!view.empty() && !before && (views.empty() || views.back() != view)) {
+        if (!views.empty()) step({Step::Of::view});
+        views.push_back(view);
+    }
     keep_last(edits, most_edits);
     keep_last(views, most_views);
     const std::string why = h.edited.substr(0, h.edited.find(' '));
@@ -183,8 +205,7 @@ void Design::tell(std::string message) {
 std::string Design::json() const {
     std::string out = "{\"texts\":[";
     for (const Text& t : texts)
-        out += (&t == texts.data() ? "" : ",") + ("[" + std::to_string(t.version)) + (t.now ? ",true" : ",false") +
-               (t.before.empty() ? ",false]" : ",true]");
+        out += (&t == texts.data() ? "" : ",") + ("[" + std::to_string(t.version)) + (t.now ? ",true]" : ",false]");
     out += "],\"edits\":[";
     for (const auto& [number, words] : edits)
         out += (out.back() == '[' ? "[" : ",[") + std::to_string(number) + "," + json::text(words) + "]";
@@ -195,6 +216,7 @@ std::string Design::json() const {
         out += (&v == variants.data() ? "" : ",") + ("{\"name\":" + json::text(v.name)) +
                ",\"edit\":" + std::to_string(v.edit) + ",\"shown\":" + (shows(v) ? "true" : "false") +
                ",\"numbers\":" + json::list(base::split_list(v.numbers, '\n')) + "}";
+    out += "],\"steps\":[" + std::to_string(step_changes) + "," + std::to_string(steps.size());
     out += "],\"before\":" + std::to_string(before ? before->header.edit.value_or(0) : -1) + ",\"day\":" + day;
     return out + ",\"base\":" + json::text(base) + ",\"earlier\":" + json::list(earlier) +
            ",\"views\":" + json::list(views) + ",\"messages\":" + json::list({messages.begin(), messages.end()}) +

@@ -26,7 +26,15 @@ struct Design {
         size_t version = 0;
         bool going = false;  // a slider still moves: further texts are a part of the same change
     };
-    std::vector<Text> texts;                             // by the file's number
+    std::vector<Text> texts;  // by the file's number
+    // What an Undo takes back, the latest last: a text of -edit, the view, or the text of the region file.
+    struct Step {
+        enum class Of { text, view, regions } of;
+        size_t file = 0;
+        std::string before = {}, tag = {};  // of the region file: the text before, and the tag of that after
+    };
+    std::vector<Step> steps;
+    size_t step_changes = 0;                             // of that list
     std::vector<std::pair<int64_t, std::string>> edits;  // number and words (EDIT=) of what has been rendered
     std::vector<std::string> views;                      // options of the views of full pictures, the latest last
     std::deque<std::string> messages;                    // of the programs
@@ -56,6 +64,9 @@ struct Design {
     void show(const Variant& variant);                             // its texts and view are asked for
     void call(const std::string& name, const std::string& other);  // a variant by another name; empty: it is dropped
     const Variant* variant(const std::string& name) const;
+    void wrote(size_t n, std::string before, std::string tag);  // the region file
+    void step(Step step);
+    void take_back(Step::Of of, size_t n);   // its latest step is no more
     bool back();                             // the view before this one is asked for; false: there is none
     void obey(const std::string& commands);  // lines of the page to ptrace
     void measured(const std::string& line);  // of vcmetrics

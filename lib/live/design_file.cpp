@@ -132,6 +132,7 @@ Design read_design(const std::string& text, const std::string& place, const File
             d.texts[n].now = b.text;
             d.texts[n].version = 1;
             d.texts[n].before.resize(1);  // Undo brings back the text on the disk
+            d.step({Design::Step::Of::text, n});
         } else {
             base::fail(where, "\"" + b.head + "\" is no part of a design");
         }

@@ -188,7 +188,7 @@ struct Server::State {
         if (path == "/file" && method == "PUT") {
             std::string tag = header(connection, "If-Match");
             if (tag.size() >= 2 && tag.front() == '"') tag = tag.substr(1, tag.size() - 2);
-            return send(connection, answer_put(files, asked, request.body, tag));
+            return send(connection, answer_put(live, files, asked, request.body, tag));
         }
         if (path == "/control") return send(connection, plain(MHD_HTTP_METHOD_NOT_ALLOWED, "POST only"));
         if (method != "GET") return send(connection, plain(MHD_HTTP_METHOD_NOT_ALLOWED, "GET only"));

@@ -24,7 +24,8 @@
 //   POST /variant?name=&do=      keep (no name: the next letter), show, base, drop, or call (to=NAME)
 //   POST /place?name=&do=        keep the view under a name, or drop it
 //   POST /back                   asks for the view before this one
-//   POST /undo?n=&version=       takes the last change of it back
+//   POST /undo?state=            takes the last change of a text, the view or the regions back, in this state of the
+//                                list of changes (412 if there is a newer one)
 #pragma once
 #include <memory>
 #include <string>

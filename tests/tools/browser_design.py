@@ -67,7 +67,7 @@ windows.append(chrome.current_window_handle)
 chrome.get(page.link)
 check('a second window shows the same', soon(lambda: '40' in slats() and 'blind.rad: 20 → 40' in names(), SECONDS),
       (slats(), names()))
-page.click('#model-undo')
+page.click('#undo')
 check('which can undo it', soon(lambda: '20' in slats()), slats())
 window(0)
 check('the first one follows', soon(lambda: '20' in slats() and 'blind.rad: undone' in names(), SECONDS),
@@ -91,7 +91,7 @@ version = page.ask('/overlay?n=1')[2].get('ETag').strip('"')
 page.ask(f'/overlay?n=1&version={version}&said=broken', 'POST', b'void plastic\n')
 check('what is wrong in the scene is said in the page',
       soon(lambda: 'ptrace: blind.rad:' in text('#messages'), SECONDS), text('#messages'))
-page.click('#model-undo')
+page.click('#undo')
 check('as long as it is so', soon(lambda: not text('#messages'), SECONDS), text('#messages'))
 
 # variants

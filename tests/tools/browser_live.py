@@ -48,7 +48,7 @@ check('slats are counted', page.find('#model-number input[type=range][step="1"][
 page.keys('#model-number input[type=range]', Keys.END)
 check('a blind is lowered', told_apart('blind.rad: 20 → 40') and soon(lambda: len(edits()) == 5), edits())
 check('which is written to no file yet', '-a 20 ' in open('blind.rad').read())
-page.click('#model-undo')
+page.click('#undo')
 check('and undone', soon(lambda: len(edits()) == 6, SECONDS), edits())
 
 page.click('#draw-circle')

@@ -120,7 +120,7 @@ check('nothing is saved before it is asked for', '-g .2' in open('sky.rad').read
 sizes = [(int(n), len(t)) for n, t in
          re.findall(r'overlay sky.rad (\d+)\n((?:# a sky\n).*?)(?=overlay|view|preview|go|what|\Z)', got(), re.S)]
 check('texts have the length that is announced', sizes and all(n == m for n, m in sizes), sizes)
-page.click('#model-undo')
+page.click('#undo')
 check('that is undone', soon(lambda: re.findall(r'-g (\S+)\n', got())[-1] == '.2'))
 page.click('#model-save')
 check('saved on demand', soon(lambda: '14.25 +s' in open('sky.rad').read()))

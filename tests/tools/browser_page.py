@@ -150,6 +150,7 @@ class Page:
         wanted = self.js(f"""(window.all = [...document.querySelectorAll(
             'button, select, input, summary, a[href], [tabindex="0"]')]
             .filter((e) => !e.disabled && e.tabIndex >= 0 && e.checkVisibility())).length""")
+        ActionChains(self.chrome).send_keys(Keys.TAB).perform()  # whoever uses keys sees the focus
         self.chrome.execute_script('all[0].focus()')
         seen, outlined = [], 0
         for k in range(wanted + 5):

@@ -59,7 +59,7 @@ page.focus('#regions [data-region=window].name')
 page.keys('#canvas', Keys.SHIFT, Keys.ARROW_RIGHT)
 moved = f'window +rect fraction  {round(.1 + 10 / side, 5):g}'
 check('arrow keys move the region that is chosen', time_out(moved), text())
-page.click('#regions-undo')
+page.click('#undo')
 check('that is undone', time_out('window +rect fraction .1 .1 .3 .3'), text())
 page.focus('#regions [data-region=window].name')
 page.keys('#canvas', Keys.ARROW_RIGHT * 5 + Keys.ARROW_LEFT * 5 + Keys.ARROW_UP * 3)

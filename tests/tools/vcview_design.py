@@ -32,8 +32,8 @@ def state():
 
 
 class Window:
-    """What one window knows of each file: its text and the version of it."""
-    def __init__(self): self.known = [None] * len(names)
+    """What one window knows of each file: its text and the version of it; and the state of the list of changes."""
+    def __init__(self): self.known, self.state = [None] * len(names), None
 
     def read(self, n):
         status, text, version = ask(f'/overlay?n={n}')
@@ -47,7 +47,10 @@ class Window:
         return status
 
 
-windows, model, undone = [Window(), Window()], [open(n, 'rb').read() for n in names], [[] for _ in names]
+def undo(state): return ask(f'/undo?state={state}', 'POST', b'')[0]
+
+
+windows, model, undone = [Window(), Window()], [open(n, 'rb').read() for n in names], []
 fresh = [[False] * len(names) for _ in windows]
 stale = wrong = 0
 for k in range(200):
@@ -56,22 +59,23 @@ for k in range(200):
         windows[w].read(n)
         fresh[w][n] = True
     if dice.random() < .2:
-        want = 412 if not fresh[w][n] else 200 if undone[n] else 409
-        status = ask(f'/undo?n={n}&version={windows[w].known[n][1]}', 'POST', b'')[0]
-        wrong += status != want
-        if want == 200:
-            model[n] = undone[n].pop()
-            fresh[0][n] = fresh[1][n] = False
+        now = state()['steps'][0]
+        if dice.random() < .7: windows[w].state = now
+        want = 412 if windows[w].state != now else 204 if undone else 409
+        wrong += undo(windows[w].state) != want
+        if want == 204:
+            m, model[m] = undone[-1][0], undone.pop()[1]
+            fresh[0][m] = fresh[1][m] = False
     else:
         text = f'{k} {dice.random()}\n'.encode() * dice.randrange(1, 40)
         status = windows[w].send(n, text)
         wrong += status != (200 if fresh[w][n] else 412)
         stale += status == 412
         if status == 200:
-            undone[n].append(model[n])
+            undone.append((n, model[n]))
             model[n] = text
             fresh[1 - w][n] = False
-    if status == 412:  # it is told, and shows the other one's
+    if not fresh[w][n]:  # it is told, and shows the other one's
         windows[w].read(n)
         fresh[w][n] = True
         wrong += windows[w].known[n][0] != model[n]
@@ -101,10 +105,10 @@ check('after an editor has written the file, a change from before is refused', f
 first.read(0)
 check('what the editor wrote counts', first.known[0][0] == b'by an editor\n' and state()['texts'][0][1] is False)
 before = model[0]
-check('and Undo brings back what was typed', ask(f'/undo?n=0&version={first.known[0][1]}', 'POST', b'')[0] == 200)
+check('and Undo brings back what was typed', undo(state()['steps'][0]) == 204)
 first.read(0)
 check('all of it', first.known[0][0] == before)
-check('no version, no change', ask('/overlay?n=0', 'POST', b'x')[0] == 412 and ask('/undo?n=0', 'POST', b'')[0] == 412)
+check('no version, no change', ask('/overlay?n=0', 'POST', b'x')[0] == 412 and ask('/undo', 'POST', b'')[0] == 412)
 ask('/control', 'POST', b'pause\n')
 check('every window knows of a pause', state()['paused'])
 ask('/control', 'POST', b'preview -vp 1 1 1\n')

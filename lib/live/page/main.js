@@ -2,7 +2,7 @@
 import { Camera } from '/camera.js';
 import { Day } from '/day.js';
 import { Edits } from '/edits.js';
-import { ask, command, Lost, unpack } from '/net.js';
+import { ask, command, Lost, tag_of, unpack } from '/net.js';
 import { PictureView } from '/picture.js';
 import { Lines, fill_table, plot } from '/plot.js';
 import { Pointed } from '/pointed.js';
@@ -20,7 +20,7 @@ import { Eye } from '/view.js';
 const $ = (id) => document.getElementById(id);
 
 const view = new PictureView($('canvas')), tones = new Tones(view), lines = new Lines(), chosen = new Set(), known = new Set();
-let news = { picture: 0, line: 0, files: 0, design: 0 }, shown = null, ended, lost = false, refused = false, paused = false, came;
+let news = { picture: 0, line: 0, files: 0, design: 0 }, shown = null, ended, lost = false, refused = false, paused = false, steps = 0, came;
 
 const regions = new Regions(view, () => shown?.eye ? shown : null);
 const edits = new Edits(draw_edits), sliders = new Sliders();
@@ -74,6 +74,7 @@ async function take_state(state) {
   variants.take(state.variants, state.base, state.before);
   show_messages(state);
   camera.take(state.views, state.places);
+  [steps, $('undo').disabled] = [Math.max(steps, state.steps[0]), !state.steps[1]];
   await sliders.take(state.texts);
   day.take(state.day);
 }
@@ -140,6 +141,16 @@ async function listen() {
 
 // ---- what people do
 
+// One after another: each is of the state that the one before has left.
+let undoing = Promise.resolve();
+const undo = () => {
+  undoing = undoing.then(async () => {
+    const answer = await ask(`/undo?state=${steps}`, { method: 'POST' });
+    if (answer.ok) steps = Number(tag_of(answer));
+    sliders.say(answer.ok ? '' : (await answer.text()).trim());
+  }).catch((e) => sliders.say(e.message));
+};
+$('undo').addEventListener('click', undo);
 $('fit').addEventListener('click', () => view.fit());
 $('canvas').addEventListener('pointerdown', () => document.querySelectorAll('.menu[open]').forEach((m) => { m.open = false; }));
 for (const menu of document.querySelectorAll('.menu')) {
@@ -160,6 +171,7 @@ const keys = {
   '[': () => tones.brighter(-.25), ']': () => tones.brighter(.25),
 };
 document.addEventListener('keydown', (e) => {
+  if (e.key === 'z' && (e.ctrlKey || e.metaKey) && !e.target.matches('input:not([type=range])')) return e.preventDefault(), void undo();
   if (e.target.matches('input, select, textarea') || e.ctrlKey || e.metaKey || e.altKey) return;
   const on_canvas = e.target === $('canvas');
   if ((on_canvas && regions.key(e)) || camera.key(e)) return void e.preventDefault();

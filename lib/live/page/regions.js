@@ -26,7 +26,6 @@ export class Regions {
     this.drag = null;
     for (const kind of ['circle', 'rect', 'polygon']) $(`draw-${kind}`).addEventListener('click', () => this.begin(kind));
     $('draw-pair').addEventListener('click', () => this.begin('rect', pair));
-    $('regions-undo').addEventListener('click', () => this.undo());
     for (const name of pair) $(`contrast-${name}`).addEventListener('change', (e) => this.save(set_region(name, e.target.value)));
     view.overlays.push((...c) => this.draw(...c));
   }
@@ -181,12 +180,6 @@ export class Regions {
     if (said || !this.drawing) this.say(said);
     if (said) return this.read_as(this.file.text);
     this.selected = select;
-    await this.show();
-  }
-
-  async undo() {
-    const said = await this.in_turn(() => this.file.undo());
-    this.say(said === 'conflict' ? 'the file has been changed since' : said);
     await this.show();
   }
 

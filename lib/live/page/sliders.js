@@ -2,7 +2,7 @@
 // a text that stands for the file; vcview holds it for all windows, each of which says what version it has changed.  The
 // file itself is written only by Save.
 import { date_of, numbers_in, range_of, skies_in, with_number, with_sky } from '/model_text.js';
-import { ask, command, post, tag_of, text_of } from '/net.js';
+import { ask, command, tag_of, text_of } from '/net.js';
 import { fill, keep, one_stop } from '/table.js';
 import { TextFile } from '/text_file.js';
 
@@ -23,7 +23,6 @@ export class Sliders {
     this.files = [];  // { file: as on the disk, text: as it is shown, version: of that }
     this.chosen = null;  // the index of a number
     $('model-file').addEventListener('change', () => { this.chosen = null; this.show(); });
-    $('model-undo').addEventListener('click', () => this.undo());
     $('model-revert').addEventListener('click', () => this.set(this.now.file.text));
     $('model-save').addEventListener('click', () => this.save());
   }
@@ -31,7 +30,7 @@ export class Sliders {
   get now() { return this.files[$('model-file').selectedIndex]; }
 
   async use(n, facts) {
-    const one = { file: new TextFile(n, facts), text: '', version: 0, undo: false, going: false, small: false };
+    const one = { file: new TextFile(n, facts), text: '', version: 0, going: false, small: false };
     this.files.push(one);
     $('model-file').append(new Option(facts.name));
     $('model-panel').hidden = false;
@@ -51,12 +50,11 @@ export class Sliders {
     one.sent = one.rested = one.text;
   }
 
-  // The state of the design: [version, is there a text that stands for the file, can a change be undone] of each file.
+  // The state of the design: [version, is there a text that stands for the file] of each file.
   async take(texts) {
     let shown = false;
     for (const one of this.files) {
-      const [version, stands, undo] = texts[one.file.n], [text, on_disk] = [one.text, one.file.text];
-      one.undo = undo;
+      const [version, stands] = texts[one.file.n], [text, on_disk] = [one.text, one.file.text];
       if (version <= one.version || one.sending || one.going) continue;
       await this.fetch(one);
       if (!stands && text !== on_disk && text !== one.text)
@@ -90,13 +88,6 @@ export class Sliders {
     if (one.small) this.send(one);
     this.mark();
     this.show_text();
-  }
-
-  async undo() {
-    const one = this.now, wrong = await post(`/undo?n=${one.file.n}&version=${one.version}`);
-    await this.fetch(one);
-    this.say(wrong);
-    this.show();
   }
 
   // Sends the newest text when the one before it has gone: small pictures while a slider moves, so that all of its way is one
@@ -154,7 +145,6 @@ export class Sliders {
   mark() {
     const one = this.now, differs = one.text !== one.file.text;
     $('model-save').disabled = $('model-revert').disabled = !differs;
-    $('model-undo').disabled = !one.undo;
   }
 
   show() {

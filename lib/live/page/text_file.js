@@ -1,8 +1,8 @@
-// A text that vcview may write for us: read, changed by functions of its text, and undone.
+// A text that vcview may write for us: read, and changed by functions of its text.
 import { ask, tag_of, text_of } from '/net.js';
 
 export class TextFile {
-  constructor(n, facts) { this.n = n; Object.assign(this, facts); this.text = ''; this.tag = 'none'; this.undone = []; }
+  constructor(n, facts) { this.n = n; Object.assign(this, facts); this.text = ''; this.tag = 'none'; }
 
   async read() {
     const answer = await ask(`/file?n=${this.n}`);
@@ -12,11 +12,11 @@ export class TextFile {
   }
 
   // change: text -> text, or null where it does not fit.  '' when done, 'conflict', or what is wrong.
-  async save(change, undoes = false) {
+  async save(change) {
     for (let trial = 0; trial < 3; trial++) {
-      const next = change(this.text), before = this.text;
+      const next = change(this.text);
       if (next === null) return 'conflict';
-      if (next === before) return '';
+      if (next === this.text) return '';
       const answer = await ask(`/file?n=${this.n}`, { method: 'PUT', body: next, headers: { 'If-Match': `"${this.tag}"` } });
       if (answer.status === 412) {  // somebody else was faster: the same change in the new text
         await this.read();
@@ -25,14 +25,8 @@ export class TextFile {
       if (!answer.ok) return (await answer.text()).trim();
       this.text = next;
       this.tag = tag_of(answer);
-      if (!undoes) this.undone.push([next, before]);
       return '';
     }
     return 'conflict';
-  }
-
-  async undo() {
-    const last = this.undone.pop();
-    return last ? this.save((text) => text === last[0] ? last[1] : null, true) : '';
   }
 }
