@@ -86,7 +86,9 @@ Answer undo(const Commanded& to, const Arguments& asked) {
     if (steps.empty()) return plain(409, "there is nothing to undo");
     const Design::Step& last = steps.back();
     using Of = Design::Step::Of;
-    Answer done = last.of == Of::text ? undo_text(to, last.file) : last.of == Of::view ? back(to) : undo_regions(to, last);
+    Answer done = last.of == Of::text   ? undo_text(to, last.file)
+                  : last.of == Of::view ? back(to)
+                                        : undo_regions(to, last);
     done.tag = to.live.ask([](const Design& d) { return std::to_string(d.step_changes); });
     return done;
 }

@@ -94,7 +94,7 @@ export class Tones {
     }
     c.fillStyle = getComputedStyle(document.body).color;
     c.font = `${12 * unit}px system-ui, sans-serif`;
-    const last = width < 480 * unit ? 2 : 4;
+    const last = width < 220 * unit ? 1 : width < 480 * unit ? 2 : 4;
     for (let j = 0; j <= last; j++) {
       c.textAlign = j === 0 ? 'left' : j === last ? 'right' : 'center';
       c.fillText(short(place(j / last)) + (j === last ? ' cd/m²' : ''), j / last * width, 29 * unit);
