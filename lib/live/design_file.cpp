@@ -2,6 +2,8 @@
 // See design_file.h.
 #include "live/design_file.h"
 
+#include <algorithm>
+#include <filesystem>
 #include <sstream>
 
 #include "base/error.h"
@@ -138,6 +140,17 @@ Design read_design(const std::string& text, const std::string& place, const File
         }
     }
     return d;
+}
+
+void offer_views(const std::vector<std::string>& files, Live& live) {
+    for (const std::string& file : files) {
+        const std::string view = view::to_options(view::read_view_file(file, "-view"));
+        const std::string name = std::filesystem::path(file).stem().string();
+        live.change([&](Design& d) {
+            const auto known = [&](const auto& place) { return place.first == name; };
+            if (std::none_of(d.places.begin(), d.places.end(), known)) d.places.emplace_back(name, view);
+        });
+    }
 }
 
 DesignFile::DesignFile(std::string path, const Files& files, Live& live)

@@ -3,6 +3,7 @@
 // written anew soon after each change, whole or not at all.
 #pragma once
 #include <string>
+#include <vector>
 #include "live/files.h"
 #include "live/live.h"
 
@@ -12,6 +13,9 @@ namespace live {
 std::string design_text(const Design& design, const Files& files, const std::string& regions);
 // regions: those of the text.  Throws Error (place: the file and line) for what is no design of these files.
 Design read_design(const std::string& text, const std::string& place, const Files& files, std::string& regions);
+
+// View files as named views, where the design has none of the name.
+void offer_views(const std::vector<std::string>& files, Live& live);
 
 class DesignFile {
 public:

@@ -78,6 +78,7 @@ struct Server::State {
     State(Live& l, const ServerOptions& o) : live(l), options(o) {
         live.change([&](Design& d) { d.texts.resize(files.size()); });
         design.emplace(options.design, files, live);
+        offer_views(options.views, live);
         day.emplace(options.day, options.hours, files, live);
         std::string asked;
         std::getline(std::ifstream(options.against), asked);

@@ -39,6 +39,7 @@ struct ServerOptions {
     std::string listen = "127.0.0.1";  // address
     std::string control;               // FIFO of ptrace -control; empty: none
     Files files;                       // that the page may show or change
+    std::vector<std::string> views;    // view files that are offered
     std::string design;                // file that the design is read from and written to; empty: none
     std::string day, hours;            // FIFOs of the pipe that renders the hours (day.h); empty: none
     std::string against;               // file of vcmetrics -against; empty: none

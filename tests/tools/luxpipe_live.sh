@@ -48,6 +48,14 @@ check 'what the programs say is in the page and on the standard error' '
 check 'a scene that cannot be read ends it' '
     status=0; timeout 60 luxpipe-live -vf view.vf missing.rad 2> said || status=$?; [ $status = 1 ]
     grep -q "^ptrace: missing.rad: " said; [ -z "$(ls t)" ]; [ ! -e luxpipe.regions ]'
+check 'of a folder of Honeybee the materials are changed and the views offered, the first of which is shown' '
+    cp -r "$TOP/examples/exports/honeybee" model; sed s/rvu/"rvu -vp 1 1 1"/ model/view/desk.vf > model/view/other.vf
+    scene="-x 16 -y 16 model sky_day.rad"; begin; ask GET /facts > facts
+    for f in model/scene/envelope.mat model/aperture/aperture.mat sky_day.rad; do grep -q "\"$f\"" facts; done
+    ask GET /next > news; grep -aq "\"places\":..\"desk\",\" -vta -vp 2 3.5 1.2 .*\"other\"," news
+    grep -aq "\"views\":.\" -vta -vp 2 3.5 1.2 " news;
+    ask POST "/overlay?n=1&version=0" "$(sed "s/^5 0.5/5 0.9/" model/scene/envelope.mat)"
+    await "cut -f 3 lines | grep -qx 1"; kill $live; ended'
 check '-open gives the browser a file that leads to the page, and the secret to nobody else' '
     mkdir bin; printf "#!/bin/sh\n{ cat \"\$1\"; stat -c %%a \"\$1\"; } > $PWD/opened\n" > bin/xdg-open
     chmod +x bin/xdg-open; before=$PATH; PATH=$PWD/bin:$PATH; begin -open; await "[ \$(wc -l < opened) = 2 ]"

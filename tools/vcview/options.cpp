@@ -44,6 +44,8 @@ std::optional<Options> parse_options(int argc, char** argv) {
     std::vector<std::string> edited;
     t.add("-edit file", "Scene file whose numbers the page changes, and saves on demand; may be repeated",
           [&](base::Arguments& a) { edited.push_back(a.text()); });
+    t.add("-view file", "View file that the page offers by its name; may be repeated",
+          [&](base::Arguments& a) { o.server.views.push_back(a.text()); });
     t.add("-design file", "Text file that holds what the page has changed, and from which it is opened again",
           o.server.design);
     t.add("-against file", "File of vcmetrics -against, which the page writes: it chooses the variant to compare with",
