@@ -85,7 +85,8 @@ def cie_part():
         "The sixteen skies of a sensor share their random numbers, so that they are one try of an interval, not "
         "sixteen; so do the same sensor and view of two cases.  Where light comes straight through an opening, more "
         "than 95 % of fisheyes' intervals hold: an interval takes frames for independent, but the samples of a pixel "
-        "in different frames are points of one low-discrepancy sequence, and err less than is stated.",
+        "in different frames are points of one low-discrepancy sequence, and err less than is stated.  That explains a "
+        "part: `studies/cie171/README.md` has what was tried.",
         "",
         "### By type of sky",
         "",
