@@ -29,7 +29,7 @@ def children():
 
 
 @pytest.mark.parametrize("module", ["luxpipe", "luxpipe._result", "luxpipe._render", "luxpipe._difference",
-                                    "luxpipe._radiance_bin"])
+                                    "luxpipe._radiance", "luxpipe._rtrace", "luxpipe._sensors", "luxpipe._year"])
 def test_doctests(module):
     found = doctest.testmod(importlib.import_module(module), extraglobs={"luxpipe": luxpipe})
     assert found.attempted and not found.failed

@@ -61,6 +61,8 @@ moved = f'window +rect fraction  {round(.1 + 10 / side, 5):g}'
 check('arrow keys move the region that is chosen', time_out(moved), text())
 page.click('#undo')
 check('that is undone', time_out('window +rect fraction .1 .1 .3 .3'), text())
+shown = '''document.querySelector('#regions [data-region=window].definition').value === 'rect fraction .1 .1 .3 .3' '''
+check('and shown', page.until(shown))
 page.focus('#regions [data-region=window].name')
 page.keys('#canvas', Keys.ARROW_RIGHT * 5 + Keys.ARROW_LEFT * 5 + Keys.ARROW_UP * 3)
 moved = f'window +rect fraction  0.1 {.1 + 3 / side:.3f}'  # rounded with each key
