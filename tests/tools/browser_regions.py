@@ -69,6 +69,25 @@ moved = f'window +rect fraction  0.1 {.1 + 3 / side:.3f}'  # rounded with each k
 check('keys that follow one another fast are all taken', time_out(moved), text())
 page.keys('#canvas', Keys.ARROW_DOWN * 3)
 check('and taken back', near('window +rect fraction', .1, .1, .3, .3), text())
+
+# an answer that comes late is older than what was saved meanwhile
+page.js('''(() => { const real = window.fetch; window.late = []; window.fetch = async (what, how) => {
+    const answer = await real(what, how);
+    if (!String(what).startsWith('/file?') || how?.method) return answer;
+    window.late.push('asked');
+    await new Promise((r) => setTimeout(r, 400));
+    window.late.push('come');
+    return answer; }; window.undelayed = () => { window.fetch = real; }; })()''')
+page.keys('#canvas', Keys.ARROW_RIGHT)
+page.until('late.length > 0')
+page.keys('#canvas', Keys.ARROW_RIGHT)
+page.until('late.includes("come")')
+page.keys('#canvas', Keys.SHIFT, Keys.ARROW_RIGHT)
+check('so a change after it fits', near('window +rect fraction', .1 + 12 / side, .1, .3 + 12 / side, .3), text())
+page.js('window.undelayed()')
+page.keys('#canvas', Keys.SHIFT, Keys.ARROW_LEFT)
+page.keys('#canvas', Keys.ARROW_LEFT * 2)
+check('and is taken back', near('window +rect fraction', .1, .1, .3, .3), text())
 page.drag(size, (side * .3, side * .7), (side * .35, side * .65), (side * .4, side * .6))  # its upper right corner
 check('a corner is moved by the pointer', near('window +rect fraction', .1, .1, .4, .4), text())
 page.keys('#canvas', Keys.DELETE)

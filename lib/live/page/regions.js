@@ -18,7 +18,6 @@ export class Regions {
     this.picture = picture;
     this.text = '';      // of the file, with changes that are still on their way to it
     this.entries = [];   // of that text
-    this.turn = Promise.resolve();
     this.waiting = 0;    // changes on their way
     this.outlines = new Map();
     this.selected = null;  // a name
@@ -149,17 +148,12 @@ export class Regions {
 
   read_as(text) { [this.text, this.entries] = [text, regions_of(text)]; }
 
-  // One after another.
-  async in_turn(work) {
-    this.waiting++;
-    try { return await (this.turn = this.turn.then(work, work)); } finally { this.waiting--; }
-  }
-
   // A change in what the page shows, at once, so that the next one begins from it; and in the file.
-  put(change) {
+  async put(change) {
     const next = change(this.text);
     if (next !== null) this.read_as(next);
-    return this.in_turn(() => this.file.save(change));
+    this.waiting++;
+    try { return await this.file.save(change); } finally { this.waiting--; }
   }
 
   say(text, ...choices) {
