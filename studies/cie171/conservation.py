@@ -3,13 +3,13 @@
 
 from lamps import *
 
-FACES = {  # of the room: view of a face from just before the opposite one, and its area in m2
-    "floor": ("-vtl -vp 2 2 2.999 -vd 0 0 -1 -vu 0 1 0 -vh 4 -vv 4", 16),
-    "ceiling": ("-vtl -vp 2 2 .001 -vd 0 0 1 -vu 0 1 0 -vh 4 -vv 4", 16),
-    "north": ("-vtl -vp 2 .001 1.5 -vd 0 1 0 -vu 0 0 1 -vh 4 -vv 3", 12),
-    "south": ("-vtl -vp 2 3.999 1.5 -vd 0 -1 0 -vu 0 0 1 -vh 4 -vv 3", 12),
-    "east": ("-vtl -vp .001 2 1.5 -vd 1 0 0 -vu 0 0 1 -vh 4 -vv 3", 12),
-    "west": ("-vtl -vp 3.999 2 1.5 -vd -1 0 0 -vu 0 0 1 -vh 4 -vv 3", 12),
+FACES = {  # of the room: view of a face from beyond its middle, where a lamp is out of sight, and its area in m2
+    "floor": ("-vtl -vp 2 2 1.4 -vd 0 0 -1 -vu 0 1 0 -vh 4 -vv 4", 16),
+    "ceiling": ("-vtl -vp 2 2 1.6 -vd 0 0 1 -vu 0 1 0 -vh 4 -vv 4", 16),
+    "north": ("-vtl -vp 2 2.1 1.5 -vd 0 1 0 -vu 0 0 1 -vh 4 -vv 3", 12),
+    "south": ("-vtl -vp 2 1.9 1.5 -vd 0 -1 0 -vu 0 0 1 -vh 4 -vv 3", 12),
+    "east": ("-vtl -vp 2.1 2 1.5 -vd 1 0 0 -vu 0 0 1 -vh 4 -vv 3", 12),
+    "west": ("-vtl -vp 1.9 2 1.5 -vd -1 0 0 -vu 0 0 1 -vh 4 -vv 3", 12),
 }
 LAMP = 10000  # lm
 
