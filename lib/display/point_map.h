@@ -19,7 +19,7 @@ struct MapColumn {
     std::vector<std::vector<double>> values;  // by grid, by point; one that is not finite is not known
     std::vector<std::vector<bool>> hatched;   // likewise; or empty
     std::string says_hatched;                 // what that means
-    double top = 0;                           // of a scale from 0 in proportion; 0: the scale is that of the values
+    double top = 0;                           // value at the end of a linear scale from 0; 0: the scale fits the values
 };
 
 // A row of maps for each grid, a column for each quantity.

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How far a sum of frames still is from its limit, as a picture: the standard error of the mean luminance of each block
 // of 8 x 8 pixels over that mean, rms over the blocks, but for the 2 % that are furthest off (what few paths light).
-// Frames are taken for independent; those of a pixel are points of one low-discrepancy sequence and err less.
+// The error takes frames for independent.  They are not: a pixel's samples are points of one low-discrepancy
+// sequence, so the true error is often smaller.
 #pragma once
 #include <cstdint>
 #include <vector>

@@ -34,7 +34,7 @@ base::Vec3 centre_of(const std::vector<Box>& boxes, const base::Vec3* eye);
 // Half the size of most of the scene.
 double radius_of(const std::vector<Box>& boxes);
 
-// What only the host reads, while it looks for sources and targets.
+// Tables for the host alone, which searches them for sources and targets.
 struct Geometry {
     std::vector<float> vertices;       // 3 each, relative to FlatScene::centre (tree 0)
     std::vector<uint32_t> triangles;   // 3 vertex indices each, from the tree's first

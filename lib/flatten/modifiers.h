@@ -19,7 +19,7 @@ struct ModifierTables {
     cal::Code code;  // programs, behind what the arenas hold: their addresses are absolute
     std::vector<kernels::Modifier> records;
     BsdfRecords bsdfs;
-    size_t written = 0;            // so many records are those of write_modifiers() before
+    size_t written = 0;            // number of records that an earlier write_modifiers() has written
     std::vector<float> arguments;  // real ones of the rest; Modifier.args counts from their start
     bool bends = false;            // some material is MT_BENDS
     bool media = false;            // MT_MEDIUM
@@ -28,7 +28,7 @@ struct ModifierTables {
     std::vector<FlatScene::Name> names;  // of the records, with Options::names
 };
 
-// What is known of modifiers, by the index of the object.
+// Facts about modifiers, by the index of the object.
 struct ModifierLists {
     std::vector<uint32_t> record;       // NONE: not used by any surface
     std::vector<uint8_t> has_material;  // the chain from here ends in one, or in a mixture of some
@@ -46,7 +46,7 @@ struct ModifierLists {
 
 // The modifiers of one scene.
 struct Modifiers : ModifierLists {
-    // None is used but those of the first objects, which are known.
+    // known: lists of the first objects; no surface uses the modifiers behind them yet.
     explicit Modifiers(const scene::Scene& scene, ModifierLists known = {});
 
     const scene::Scene& scene;

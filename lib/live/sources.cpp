@@ -88,8 +88,9 @@ public:
     }
     TempFolder(const TempFolder&) = delete;
     std::string write(const std::string& name, const std::string& text) const {
-        std::ofstream(path_ / name, std::ios::binary) << text;
-        return path_ / name;
+        const std::string path = path_ / name;
+        image::write_bytes(path, text);
+        return path;
     }
     std::filesystem::path path_;
 };
