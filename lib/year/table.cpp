@@ -17,8 +17,8 @@ constexpr double normal_quantile = 1.959964;  // of 95 %
 // The error of DGPf from pixels that DGP.px does not show: sources near the threshold, edges within a pixel.  About
 // .005 in round pictures of 64 x 64, and half of it when the sides double.
 double error_of_pixels(double pixels) {
-    constexpr double at_64 = .005, pixels_of_64 = 3217;
-    return at_64 * std::sqrt(pixels_of_64 / (pixels > 0 ? pixels : pixels_of_64));
+    constexpr double at_64 = .005;
+    return at_64 * std::sqrt(pixels_of_64 / pixels);
 }
 
 // Where a column stands; nothing if the table lacks it.
@@ -61,7 +61,8 @@ Hour hour_of(const Columns& c, const std::vector<double>& row, const std::vector
     h.dgp.value = row[*c.value];
     h.dark = c.ev && row[*c.ev] == 0;
     if (c.frame) h.frames = std::atof(labels[*c.frame].c_str());
-    if (c.pixels) h.pixels = row[*c.pixels];
+    if (c.pixels && row[*c.pixels] > 0) h.pixels = row[*c.pixels];
+    h.least_pixels = h.pixels;
     if (h.dark) return h;
     if (c.low && c.high) {
         h.dgp.value = (row[*c.low] + row[*c.high]) / 2;
@@ -74,6 +75,13 @@ Hour hour_of(const Columns& c, const std::vector<double>& row, const std::vector
     }
     if (c.low) h.dgp.bound = std::max(error_of_pixels(h.pixels), c.pixel_error ? std::fabs(row[*c.pixel_error]) : 0);
     return h;
+}
+
+// Does a line count in place of an earlier one of its hour?  An interval comes first: where the sun is in view few
+// frames of a larger picture say less than many of a small one.
+bool replaces(const Hour& h, const Hour& earlier) {
+    if (h.is_known != earlier.is_known) return h.is_known;
+    return h.pixels > earlier.pixels || (h.pixels == earlier.pixels && h.frames >= earlier.frames);
 }
 
 // The item called so, a new one if there is none.
@@ -120,7 +128,11 @@ void add_table(const std::string& path, Reading& all, Tables& tables) {
         }
         if (c->grid) return add_sensor(*c, row, labels, path, all);
         const Hour h = hour_of(*c, row, labels, path);
-        called(c->view ? labels[*c->view] : "", all.views)[h.time.minute_of_year()] = h;
+        Hour& known =
+            called(c->view ? labels[*c->view] : "", all.views).try_emplace(h.time.minute_of_year(), h).first->second;
+        const double least = std::min(known.least_pixels, h.least_pixels);
+        if (replaces(h, known)) known = h;
+        known.least_pixels = least;
     };
     if (!report::each_row(path == "-" ? "/dev/stdin" : path, add)) base::fail(path, "is not a table of vcmetrics");
 }

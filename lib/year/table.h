@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The hours of a year from vcmetrics' tables (ptrace -wea): the last line of each hour and view, or of each hour and
-// sensor.
+// The hours of a year from vcmetrics' tables (ptrace -wea): of each hour and view the line of the largest picture, of
+// equal ones that with most frames, else the last one; of each hour and sensor the last line.
 #pragma once
 #include <string>
 #include <vector>
@@ -10,13 +10,16 @@
 
 namespace year {
 
+constexpr double pixels_of_64 = 3217;  // in a circle of 64 x 64
+
 struct Hour {
-    weather::Time time;             // its middle
-    uncertainty::Uncertain dgp;     // without the bias of noise; the bound is that of its pixels
-    double frames = 0, pixels = 0;  // pixels: of its picture; 0: not in the table
-    bool dark = false;              // no light at all
-    bool is_known = true;           // false: no interval came with so few frames, so that any value is possible
-    double half_width() const;      // of the 95 % interval, without the pixels' bound
+    weather::Time time;          // its middle
+    uncertainty::Uncertain dgp;  // without the bias of noise; the bound is that of its pixels
+    double frames = 0, pixels = pixels_of_64;
+    double least_pixels = pixels_of_64;  // of the smallest of its pictures
+    bool dark = false;                   // no light at all
+    bool is_known = true;                // false: no interval came with so few frames, so that any value is possible
+    double half_width() const;           // of the 95 % interval, without the pixels' bound
 };
 
 struct View {
@@ -49,8 +52,8 @@ struct Tables {
     bool no_pixels = false;   // no column pixels: pictures count as 64 x 64
 };
 
-// Later files, and later lines, replace what was said of an hour.  Throws Error (place: the file) for tables without
-// hours, or without DGP or E, or in which no hour has an interval.
+// Files and lines come in any order but for hours that were rendered twice at one size with as many frames.  Throws
+// Error (place: the file) for tables without hours, or without DGP or E, or in which no hour has an interval.
 Tables read_tables(const std::vector<std::string>& paths);
 
 }  // namespace year

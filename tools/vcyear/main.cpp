@@ -93,7 +93,7 @@ std::string answer(const Options& opt, std::vector<year::View> views) {
     for (const year::View& v : views) verdicts.push_back(year::judge(v, alpha));
     if (!opt.plot.empty()) year::write_plot(opt.plot, views, alpha);
     if (!opt.honeybee.empty()) year::write_honeybee(opt.honeybee, views);
-    if (opt.next) return year::need_lines(views, verdicts);
+    if (opt.next) return year::need_lines(views, verdicts, alpha);
     if (opt.worst > 0) return year::worst_lines(views, size_t(opt.worst), opt.command);
     if (opt.format) return table(verdicts, *opt.format);
     return year::summary(views, verdicts, opt.command) + shades;

@@ -48,7 +48,7 @@ std::optional<int> parse_options(int argc, char** argv, Options& o) {
     t.add("-worst n", "Print the worst hours of each view, so many, with a command that shows each", o.worst)
         .at_least(0);
     t.add("-command words", "Command that shows a view's hours, in front of -hours", o.command);
-    t.add("-next", "Print the hours that could change the class, with frames or size that they need", o.next);
+    t.add("-next", "Print the hours to render again so that the class is decided, with their frames and size", o.next);
     t.group("Shades");
     t.add("-closed file", "Table of the same views with closed shades, for the hours in which a view is above -close",
           o.closed);
