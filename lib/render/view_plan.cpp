@@ -17,9 +17,9 @@ namespace render {
 using namespace kernels;
 
 namespace {
-// In small pictures frame 0 costs little, and a single noisy pixel holds much of the light: each of its m samples is
-// the mean of two or four, up to half a million in all.
-uint32_t samples_for_one(size_t pixels) {
+// In small pictures frame 0 costs little, and a single noisy pixel holds much of the light: m is two or four times as
+// large, up to half a million samples in all.
+uint32_t more_for_few(size_t pixels) {
     constexpr size_t enough = 256 * 256;
     return 4 * pixels <= enough ? 4 : 2 * pixels <= enough ? 2 : 1;
 }
@@ -79,8 +79,8 @@ ViewPlan plan_view(device::Device& device, const LoadedScene& scene, const Rende
     sampling::pick_all_portals(uint32_t(flat.portals.size()), 0, 0, par);
     plan.sampling.path_reuse = o.sampling == Sampling::reuse && allows_path_reuse(par);
     plan.noisy_share = o.sampling == Sampling::reuse ? o.noisy_share : 0;
+    if (o.more_if_small) par.skip_direct_below *= more_for_few(size_t(v.nx) * size_t(v.ny));
     plan.m = par.skip_direct_below;
-    plan.samples_of_zero = plan.m * (o.more_if_small ? samples_for_one(size_t(v.nx) * size_t(v.ny)) : 1);
 
     if (v.points) {
         plan_points(v, flat, plan);

@@ -120,10 +120,9 @@ std::vector<bool> counts(const glare::Geometry& g) {
 }
 
 Look look(const glare::Reading& whole, const glare::Measurement& m, const std::vector<glare::Column>& columns,
-          const std::vector<image::Part>& parts, const std::vector<float>& frame0_error, const Look& before) {
+          const std::vector<image::Part>& parts, const uncertainty::Frame0Error& frame0_error, const Look& before) {
     const glare::Geometry& g = whole.geometry();
-    uncertainty::GrowingMean mean{g.width, g.height, whole.lum.grey, &parts, nullptr, counts(g)};
-    if (!frame0_error.empty()) mean.frame0_error = &frame0_error;
+    const uncertainty::GrowingMean mean{g.width, g.height, whole.lum.grey, &parts, frame0_error, counts(g)};
 
     uncertainty::Metrics metrics;
     metrics.quantities = quantities_of(columns);

@@ -21,9 +21,9 @@ struct Look {
     const uncertainty::Estimate& estimate(size_t column) const;  // nan: none
 };
 
-// measurement: of the mean that was read.  frame0_error: by pixel (uncertainty/frame0.h); empty: not known.
+// measurement: of the mean that was read.
 Look look(const glare::Reading& mean, const glare::Measurement& measurement, const std::vector<glare::Column>& columns,
-          const std::vector<image::Part>& parts, const std::vector<float>& frame0_error, const Look& before);
+          const std::vector<image::Part>& parts, const uncertainty::Frame0Error& frame0_error, const Look& before);
 
 // The pixels that are measured.
 std::vector<bool> counts(const glare::Geometry& geometry);

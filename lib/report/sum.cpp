@@ -8,7 +8,6 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "uncertainty/frame0.h"
 
 namespace report {
 namespace {
@@ -37,16 +36,6 @@ Sum another(const Sum& before) {
     return out;
 }
 
-// From frames 1 to 8, as long as each is a part by itself.
-std::vector<float> frame0_error(std::vector<image::Part> first, const glare::Geometry& g) {
-    first.resize(std::min(first.size(), size_t(image::direct_samples)));
-    for (size_t k = 0; k < first.size(); ++k) {
-        const image::SeedRanges& from = first[k].from;
-        if (first[k].frames != 1 || from.empty() || from[0].second[0].first != int64_t(k) + 1) return {};
-    }
-    return first.size() > 2 ? uncertainty::frame0_error(first, g.width, g.height, counts(g)) : std::vector<float>();
-}
-
 }  // namespace
 
 Sum add(Sum sum, const image::Picture& picture, const glare::Reading& reading, const std::string& place, bool tells) {
@@ -62,9 +51,11 @@ Sum add(Sum sum, const image::Picture& picture, const glare::Reading& reading, c
     sum.step = true, sum.ends = has_parts || picture.header.last_frame == n, sum.last = n;
     if (has_parts) sum.taken = picture.parts;
     else if (n > 0) sum.growing.add(reading.lum.grey, reading.lum.size(), n, picture.header.seed);
-    if (has_parts || (n > 0 && n <= image::direct_samples)) {
-        std::vector<float> error = frame0_error(sum.parts(), reading.geometry());
-        if (!error.empty()) sum.frame0_error = std::move(error);
+    const int64_t m = picture.header.direct_frames.value_or(image::direct_samples);
+    if (has_parts || (n > 0 && n <= m)) {  // later pictures know less of it
+        const glare::Geometry& g = reading.geometry();
+        uncertainty::Frame0Error error = uncertainty::frame0_error(sum.parts(), m, g.width, g.height, counts(g));
+        if (!error.of_pixel.empty()) sum.frame0_error = std::move(error);
     }
     if (!has_parts && before >= 16 && double(n - before) > large_step * double(n) && !std::exchange(sum.warned, true))
         base::warn(place,

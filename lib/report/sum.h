@@ -11,8 +11,8 @@ namespace report {
 
 struct Sum {
     image::GrowingParts growing;
-    std::vector<image::Part> taken;   // of a picture that came with its parts; else empty
-    std::vector<float> frame0_error;  // by pixel; empty: not known
+    std::vector<image::Part> taken;  // of a picture that came with its parts; else empty
+    uncertainty::Frame0Error frame0_error;
     int64_t last = -1;                // frames of the last picture; -1: there was none
     bool step = false, ends = false;  // the last picture is one of a sum; none follows it
     int64_t next_look = 2;            // frames

@@ -11,7 +11,6 @@
 #include "base/processors.h"
 #include "base/threads.h"
 #include "base/wide.h"
-#include "uncertainty/frame0.h"
 #include "uncertainty/threshold_filter.h"
 
 namespace uncertainty {
@@ -94,8 +93,9 @@ Replicates replicate(const GrowingMean& mean, const Metrics& metrics, const Valu
         const std::vector<float> variance = variances(mean);
         filter = {{mean.width, mean.height, mean.whole, variance.data()}, *metrics.threshold, metrics.filter_radius};
     }
-    const bool moves_frame0 = mean.frame0_error && n > 2 && n <= frame0_matters;
-    const float scale = float(std::sqrt(missing_share(n)));
+    const Frame0Error& frame0 = mean.frame0_error;
+    const bool moves_frame0 = !frame0.of_pixel.empty() && n > 2 && n <= frame0_matters * frame0.m;
+    const float scale = moves_frame0 ? float(std::sqrt(missing_share(n, frame0.m))) : 0;
     // The half-samples, the whole mean, and the pairs of frame 0.
     const int images = half_samples + 1 + (moves_frame0 ? 2 * frame0_pairs : 0);
     const auto make = [&](int k, std::vector<float>& image) {
@@ -104,7 +104,7 @@ Replicates replicate(const GrowingMean& mean, const Metrics& metrics, const Valu
         const int pair = (k - half_samples - 1) / 2;
         const float up = (k - half_samples - 1) % 2 ? -scale : scale;
         for (size_t i = 0; k > half_samples && i < size; ++i)
-            image[i] += up * float(random_sign(uint32_t(i), pair)) * (*mean.frame0_error)[i];
+            image[i] += up * float(random_sign(uint32_t(i), pair)) * frame0.of_pixel[i];
     };
     const std::vector<Values> seen = measure_all(images, make, filter, metrics);
     out.half_samples = {seen.begin(), seen.begin() + half_samples};

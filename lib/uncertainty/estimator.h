@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "image/parts.h"
+#include "uncertainty/frame0.h"
 #include "uncertainty/replication.h"
 
 namespace uncertainty {
@@ -26,10 +27,10 @@ using Measure = std::function<Values(std::vector<float>& image, std::vector<floa
 
 struct GrowingMean {
     int width = 0, height = 0;
-    const float* whole = nullptr;                      // L'(n)
-    const std::vector<image::Part>* parts = nullptr;   // n frames in all
-    const std::vector<float>* frame0_error = nullptr;  // by pixel (frame0.h); null: not known
-    std::vector<bool> counts;                          // by pixel: it is measured
+    const float* whole = nullptr;                     // L'(n)
+    const std::vector<image::Part>* parts = nullptr;  // n frames in all
+    Frame0Error frame0_error;                         // frame0.h
+    std::vector<bool> counts;                         // by pixel: it is measured
 };
 
 struct Metrics {

@@ -9,41 +9,71 @@
 
 namespace uncertainty {
 
-std::vector<float> frame0_error(const std::vector<image::Part>& frames, int width, int height,
-                                const std::vector<bool>& counts) {
-    const int n = int(frames.size());
-    float first = 0;
-    for (int k = 1; k <= n; ++k) first += image::in_first_half(k);
-    const float second = float(n) - first, of_difference = (1 / first + 1 / second) / 4;
-    std::vector<float> excess(counts.size()), out(counts.size());
-    for (size_t i = 0; i < excess.size(); ++i) {
-        float a = 0, b = 0, squares = 0;
-        for (int k = 1; k <= n; ++k) (image::in_first_half(k) ? a : b) += frames[size_t(k - 1)].grey[i];
-        a /= first, b /= second;
-        for (int k = 1; k <= n; ++k) {
-            const float d = frames[size_t(k - 1)].grey[i] - (image::in_first_half(k) ? a : b);
-            squares += d * d;
-        }
-        excess[i] = (a - b) * (a - b) / 4 - of_difference * squares / float(n - 2);
-        out[i] = a - b;
+namespace {
+// Sum of the signs of frames 1 to k, of which m have one.
+int signs_up_to(int64_t k, int64_t m) {
+    k = std::min(k, m);
+    return k % 2 == 0 ? 0 : image::in_first_half(k) ? 1 : -1;
+}
+
+// The frames of the first half, less those of the second, over all frames of a part.  Empty: not one run's.
+std::vector<double> excess_of_first(const std::vector<image::Part>& parts, int64_t m) {
+    std::vector<double> out;
+    for (const image::Part& p : parts) {
+        if (p.from.size() != 1 || p.from[0].first != parts[0].from[0].first) return {};
+        double signs = 0;
+        for (const auto& [first, last] : p.from[0].second) signs += signs_up_to(last, m) - signs_up_to(first - 1, m);
+        out.push_back(signs / double(p.frames));
     }
+    return out;
+}
+
+std::vector<float> smoothed(const std::vector<float>& values, int width, int height, const std::vector<bool>& counts) {
+    std::vector<float> out(values.size());
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
             float sum = 0, pixels = 0;
             for (int j = std::max(0, y - 1); j <= std::min(height - 1, y + 1); ++j)
                 for (int i = std::max(0, x - 1); i <= std::min(width - 1, x + 1); ++i) {
                     const size_t near = size_t(j) * size_t(width) + size_t(i);
-                    if (counts[near]) sum += excess[near], pixels += 1;
+                    if (counts[near]) sum += values[near], pixels += 1;
                 }
-            float& of_pixel = out[size_t(y) * size_t(width) + size_t(x)];
-            of_pixel = std::copysign(std::sqrt(std::max(0.f, sum / std::max(pixels, 1.f))), of_pixel);
+            out[size_t(y) * size_t(width) + size_t(x)] = sum / std::max(pixels, 1.f);
         }
     return out;
 }
+}  // namespace
 
-double missing_share(int64_t n) {
-    constexpr double m = image::direct_samples;
-    return double(n) < m ? 1 - 2 / double(n) : .75 * std::pow(m / double(n), 2);
+Frame0Error frame0_error(const std::vector<image::Part>& parts, int64_t m, int width, int height,
+                         const std::vector<bool>& counts) {
+    const std::vector<double> x = excess_of_first(parts, m);
+    if (x.size() < 3) return {};
+    double n = 0, mean = 0, squares = 0;
+    for (size_t p = 0; p < x.size(); ++p) n += double(parts[p].frames), mean += double(parts[p].frames) * x[p];
+    mean /= n;
+    for (size_t p = 0; p < x.size(); ++p) squares += double(parts[p].frames) * (x[p] - mean) * (x[p] - mean);
+    if (!(squares > 0)) return {};
+    std::vector<float> excess(counts.size()), slope(counts.size());
+    for (size_t i = 0; i < excess.size(); ++i) {
+        double grey = 0, scatter = 0, product = 0;
+        for (const image::Part& p : parts) grey += double(p.frames) * double(p.grey[i]) / n;
+        for (size_t p = 0; p < x.size(); ++p) {
+            const double d = double(parts[p].grey[i]) - grey, weight = double(parts[p].frames);
+            scatter += weight * d * d, product += weight * d * (x[p] - mean);
+        }
+        const double rest = std::max(0.0, scatter - product * product / squares) / double(x.size() - 2);
+        slope[i] = float(product / squares);
+        excess[i] = float(product * product / squares / squares - rest / squares);
+    }
+    Frame0Error out{smoothed(excess, width, height, counts), m};
+    for (size_t i = 0; i < slope.size(); ++i)
+        out.of_pixel[i] = std::copysign(std::sqrt(std::max(0.f, out.of_pixel[i])), slope[i]);
+    return out;
+}
+
+double missing_share(int64_t n, int64_t m) {
+    const double seen = 2 / double(std::min({n, m, int64_t(image::most_parts)}));
+    return (1 - seen) * std::pow(double(std::min(n, m)) / double(n), 2);
 }
 
 int random_sign(uint32_t pixel, int pair) {

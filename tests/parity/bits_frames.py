@@ -11,33 +11,36 @@ import subprocess
 import sys
 from pathlib import Path
 
-SIZE, FRAMES = 40, 10
+SIZE, RANGES = 40, ("0:6", "32:34")
 
 
 def hash_of(stream):
     """Fowler, Noll and Vo's hash, 64 bits, of the pixels of all frames."""
     value, at = 0xcbf29ce484222325, 0
-    for _ in range(FRAMES):
+    while at < len(stream):
         head = re.compile(rb"(?s).*?\n\n-Y (\d+) \+X (\d+)\n").match(stream, at)
         at = head.end() + 12 * int(head[1]) * int(head[2])
         for byte in stream[head.end():at]:
             value = (value ^ byte) * 0x100000001b3 & 0xffffffffffffffff
-    assert at == len(stream)
     return f"{value:016x}"
 
 
 def moved(ptrace, top, device, rows):
     """Return the names of the rows whose frames have other bits, or None where the machine lacks the device."""
-    size = ["-frames", str(FRAMES), "-x", str(SIZE), "-y", str(SIZE)]
+    size = ["-x", str(SIZE), "-y", str(SIZE)]
     environment = {**os.environ, "RAYPATH": f".:{top}/tests/golden/vectors"}
     found = []
     for name, folder, arguments, wanted in rows:
-        words = [ptrace, "-w-", "-device", device, "-moments-", *size, *arguments.split()]
-        done = subprocess.run(words, cwd=top / folder, env=environment, capture_output=True)
-        if b": this machine has no " in done.stderr:
-            return None
-        if done.returncode or hash_of(done.stdout) != wanted:
-            sys.stderr.buffer.write(done.stderr)
+        stream = b""
+        for frames in RANGES:
+            words = [ptrace, "-w-", "-device", device, "-moments-", "-frames", frames, *size, *arguments.split()]
+            done = subprocess.run(words, cwd=top / folder, env=environment, capture_output=True)
+            if b": this machine has no " in done.stderr:
+                return None
+            if done.returncode:
+                sys.stderr.buffer.write(done.stderr)
+            stream += done.stdout
+        if hash_of(stream) != wanted:
             found.append(name)
     return found
 

@@ -49,6 +49,7 @@ Means means_of(const scene::Scene& scene, render::Sampling sampling) {
         options.seed = seed;
         options.ab = 2;
         options.direct_samples = (1 << 20) + 1;  // odd: frames of the diffuse class alone
+        options.more_if_small = false;
         render::Renderer renderer(scene, toward_wall(), size, size, options, "cpu", {});
         return block_means(renderer, size, 4, 1, frames);
     });

@@ -58,7 +58,8 @@ Means means_of(const scene::Scene& scene, render::Sampling sampling, int frames)
         options.sampling = sampling;
         options.seed = seed + (sampling == render::Sampling::reuse ? 100 : 0);
         options.direct_samples = (1 << 20) + 1;  // odd: frames of the diffuse class alone
-        options.noisy_share = 0;                 // and of one sample each
+        options.more_if_small = false;
+        options.noisy_share = 0;  // and of one sample each
         render::Renderer renderer(scene, into_room(), size, size, options, "cpu", {});
         return block_means(renderer, size, 4, 1, frames);
     });

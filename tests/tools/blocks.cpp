@@ -108,17 +108,17 @@ Blocks read_table(const std::string& path, int width, int height) {
     return blocks;
 }
 
-// ptrace's frames: frame 0 is itself the mean of m samples of the direct class, which later frames refine
+// ptrace's frames: frame 0 stands for the direct class of m frames, and later ones refine it
 // (docs/decisions/0002-frame-zero.md), so only frames beyond m show the whole scatter.
 Blocks read_frames() {
-    const int whole_from = render::RenderOptions().direct_samples + 1;
     image::StreamReader in("-");
     image::Picture frame;
     std::vector<double> first, sum, part;
     std::vector<Scatter> scatter;
-    int frames = -1;
+    int frames = -1, whole_from = 0;
     for (; in.next(frame); ++frames) {
         if (frames < 0) {
+            whole_from = int(frame.header.direct_frames.value_or(image::direct_samples)) + 1;
             first.assign(frame.rgb.begin(), frame.rgb.end());
             sum.assign(first.size(), 0), part.assign(first.size(), 0), scatter.resize(first.size());
             continue;

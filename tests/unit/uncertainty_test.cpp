@@ -8,6 +8,7 @@
 #include <numeric>
 #include <random>
 
+#include "image/picture.h"
 #include "uncertainty/difference.h"
 #include "uncertainty/stopping.h"
 #include "uncertainty/student.h"
@@ -211,6 +212,30 @@ TEST_CASE("intervals of correlated pixels cover") {
     }
 }
 
+// Frames 1 to m show frame 0 and half the difference h of its halves, by turns; nothing else varies.
+TEST_CASE("the error of frame 0 from parts of any number of frames") {
+    for (const int64_t m : {8, 16, 32})
+        for (const int n : {3, 7, 16, 40, 100}) {
+            CAPTURE(m);
+            CAPTURE(n);
+            std::vector<image::Part> parts;
+            for (int k = 1; k <= n; ++k) {
+                const float h = k > m ? 0 : image::in_first_half(k) ? -.25f : .25f;
+                image::add_part(parts, {1, {5 + h}, {{7, {{k, k}}}}});
+            }
+            const Frame0Error error = frame0_error(parts, m, 1, 1, {true});
+            REQUIRE(error.of_pixel.size() == 1);
+            CHECK(error.of_pixel[0] == doctest::Approx(-.25));
+            CHECK(error.m == m);
+        }
+    std::vector<image::Part> runs;
+    for (const int k : {1, 2, 3}) runs.push_back({1, {1.f * float(k)}, {{k % 2, {{k, k}}}}});
+    CHECK(frame0_error(runs, 8, 1, 1, {true}).of_pixel.empty());
+    CHECK(missing_share(4, 8) == doctest::Approx(.5));
+    CHECK(missing_share(16, 8) == doctest::Approx(.75 / 4));
+    CHECK(missing_share(64, 32) == doctest::Approx(.875 / 4));
+}
+
 // Two runs of one pixel, b = 3 + x + y and a = 2 + x + z, of which x is noise in common: the square of each is biased,
 // and so is their difference.  Where they have other seeds, b has an x of its own, and the error is that of both.
 TEST_CASE("intervals of a difference cover, and noise in common is not in them") {
@@ -226,7 +251,7 @@ TEST_CASE("intervals of a difference cover, and noise in common is not in them")
         float mean = 0;
         for (image::Part& p : parts) mean += p.grey[0] / n, p.from = {{seed, {{1, 1}}}};
         const Metrics metrics{quantities, [&] { return values; }, {}, {}, 0};
-        return replicate({1, 1, &mean, &parts, nullptr, {true}}, metrics, {mean, mean * mean});
+        return replicate({1, 1, &mean, &parts, Frame0Error(), {true}}, metrics, {mean, mean * mean});
     };
     for (const bool common : {true, false}) {
         int covered[2] = {};
