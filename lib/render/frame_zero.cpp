@@ -14,7 +14,7 @@ using image::grey;
 namespace {
 // Adds the samples of each pixel, those of the first half less those of the second, and their squares.  All samples of
 // a pixel at once, and neighbouring pixels together.
-void sum_samples(device::Device& device, const PixelSampling& sampling, uint32_t count,
+void sum_samples(device::Device& device, const PixelSampling& sampling, int64_t begin, uint32_t count,
                  std::vector<double>& sum, std::vector<float>& half_off, std::vector<double>& squares) {
     const uint32_t pixels = sampling.params.nx * sampling.params.ny,
                    most = UINT32_MAX / pixels;  // indices of paths are 32 bits
@@ -22,7 +22,7 @@ void sum_samples(device::Device& device, const PixelSampling& sampling, uint32_t
         const uint32_t n = std::min(count - done, most), some = std::max(1u, device.preferred_batch_size() / n);
         for (uint32_t first = 0; first < pixels; first += some) {
             const uint32_t batch = std::min(some, pixels - first);
-            const std::vector<float> rgb = run_pass(device, sampling, {MODE_DIRECT, done, n, first, batch});
+            const std::vector<float> rgb = run_pass(device, sampling, {MODE_DIRECT, begin + done, n, first, batch});
             const float* from = rgb.data();
             for (size_t pixel = first; pixel < first + batch; pixel++)
                 for (uint32_t k = 0; k < n; k++) {
@@ -67,6 +67,9 @@ void draw_sources(device::Device& device, const ViewPlan& plan, FrameZero& zero)
 }
 }  // namespace
 
+// Samples beyond m come after all frames in the sequence, so that no frame repeats them.
+int64_t first_sample_of_zero(const ViewPlan& plan) { return plan.samples_of_zero > plan.m ? int64_t(1) << 31 : 0; }
+
 std::vector<float> splat_sources(device::Device& device, const ViewPlan& plan) {
     const SplatList& list = plan.drawn.straight;
     std::vector<float> rgb;
@@ -80,13 +83,13 @@ std::vector<float> splat_sources(device::Device& device, const ViewPlan& plan) {
 }
 
 FrameZero draw_frame_zero(device::Device& device, const ViewPlan& plan) {
-    const uint32_t count = plan.m;
+    const uint32_t count = plan.samples_of_zero;
     const size_t pixels = size_t(plan.sampling.params.nx) * plan.sampling.params.ny;
     std::vector<double> sum(3 * pixels, 0.0), squares(pixels, 0.0);
     FrameZero zero;
     zero.samples = count;
     zero.half_off.assign(plan.m % 2 ? 0 : sum.size(), 0.0f);
-    sum_samples(device, plan.sampling, count, sum, zero.half_off, squares);
+    sum_samples(device, plan.sampling, first_sample_of_zero(plan), count, sum, zero.half_off, squares);
 
     zero.mean.resize(sum.size());
     for (size_t i = 0; i < sum.size(); i++) zero.mean[i] = float(sum[i] / count);

@@ -150,7 +150,7 @@ void explain_pixel(device::Device& device, const ViewPlan& plan, const scene::Sc
     const Explainer explainer(plan, scene, pixel, give);
     const int64_t begin = std::max<int64_t>(first, 1);
     const double share = last >= begin ? 1 / double(last - begin + 1) : 0;   // of each frame k >= 1
-    std::vector<double> zero(plan.m, first == 0 ? 1.0 : 0.0);  // weights of frame 0's samples, times m
+    std::vector<double> zero(plan.samples_of_zero, first == 0 ? 1.0 : 0.0);  // weights of frame 0's samples, times m
     const DiffusePlan learned = last >= begin ? learn(device, plan) : DiffusePlan{plan.sampling, {}};
     const bool noisy = std::binary_search(learned.noisy.begin(), learned.noisy.end(), pixel);
     for (int64_t k = begin; k <= last; k++) {  // frame_of()
@@ -169,7 +169,7 @@ void explain_pixel(device::Device& device, const ViewPlan& plan, const scene::Sc
     if (first == 0) explainer.drawn(device, row);
     for (size_t i = 0; i < zero.size(); i++) {
         row.path = fmt::format("sample {} of frame 0", i + 1);
-        explainer.sample(plan.sampling, MODE_DIRECT, int64_t(i),
+        explainer.sample(plan.sampling, MODE_DIRECT, first_sample_of_zero(plan) + int64_t(i),
                          zero[i] / double(zero.size()), row);
     }
 }

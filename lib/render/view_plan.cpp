@@ -80,7 +80,7 @@ ViewPlan plan_view(device::Device& device, const LoadedScene& scene, const Rende
     plan.sampling.path_reuse = o.sampling == Sampling::reuse && allows_path_reuse(par);
     plan.noisy_share = o.sampling == Sampling::reuse ? o.noisy_share : 0;
     if (o.more_if_small) par.skip_direct_below *= more_for_few(size_t(v.nx) * size_t(v.ny));
-    plan.m = par.skip_direct_below;
+    plan.m = plan.samples_of_zero = par.skip_direct_below;
 
     if (v.points) {
         plan_points(v, flat, plan);

@@ -29,7 +29,8 @@ struct ViewPlan {
     DrawnSources drawn;
     PointLayout points;            // of a picture of points; else empty
     size_t points_room = 0;        // pixels of that picture
-    uint32_t m = 0;                // samples of the direct class in frame 0, which stand for frames 1 to m (Eq. 7)
+    uint32_t m = 0;                // frames that frame 0 stands for (Eq. 7)
+    uint32_t samples_of_zero = 0;  // of the direct class, of each pixel in frame 0
     double noisy_share = 0;        // samples of noisy pixels over those of the picture; 0: none are sought
     bool tell_limit = false;       // warn of what -ab leaves out (beyond_limit.h)
     std::string fingerprint;       // fingerprint.h

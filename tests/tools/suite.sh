@@ -1,12 +1,12 @@
 #!/bin/bash
 # SPDX-License-Identifier: BSD-3-Clause
 # One small scene a feature against rtrace -u+ (tests/golden/suite): blocks of 8 x 8 pixels in standard errors of both.
-# By hand, FRAMES (64) and VIEWS (a pattern of names) say how much of it; the table that is printed shows what each view
-# would detect.
+# By hand, FRAMES (88, of which 56 are above m) and VIEWS (a pattern of names) say how much of it; the table that is
+# printed shows what each view would detect.
 . "${TOP:?}/tests/lib.sh"
 needs ptrace blocks
 suite=$TOP/tests/golden/suite
-export RAYPATH=.:../vectors FRAMES=${FRAMES:-64}
+export RAYPATH=.:../vectors FRAMES=${FRAMES:-88}
 
 render() {   # view, scene files, options of light and of view
     cd "$suite"
