@@ -53,7 +53,7 @@ Frame0Error frame0_error(const std::vector<image::Part>& parts, int64_t m, int w
     mean /= n;
     for (size_t p = 0; p < x.size(); ++p) squares += double(parts[p].frames) * (x[p] - mean) * (x[p] - mean);
     if (!(squares > 0)) return {};
-    std::vector<float> excess(counts.size()), slope(counts.size());
+    std::vector<float> excess(counts.size()), slope(counts.size()), slope_squares(counts.size());
     for (size_t i = 0; i < excess.size(); ++i) {
         double grey = 0, scatter = 0, product = 0;
         for (const image::Part& p : parts) grey += double(p.frames) * double(p.grey[i]) / n;
@@ -63,12 +63,13 @@ Frame0Error frame0_error(const std::vector<image::Part>& parts, int64_t m, int w
         }
         const double rest = std::max(0.0, scatter - product * product / squares) / double(x.size() - 2);
         slope[i] = float(product / squares);
+        slope_squares[i] = slope[i] * slope[i];
         excess[i] = float(product * product / squares / squares - rest / squares);
     }
-    Frame0Error out{smoothed(excess, width, height, counts), m};
+    excess = smoothed(excess, width, height, counts), slope_squares = smoothed(slope_squares, width, height, counts);
     for (size_t i = 0; i < slope.size(); ++i)
-        out.of_pixel[i] = std::copysign(std::sqrt(std::max(0.f, out.of_pixel[i])), slope[i]);
-    return out;
+        if (slope[i] != 0) slope[i] *= std::sqrt(std::max(0.f, excess[i] / slope_squares[i]));
+    return {std::move(slope), m};
 }
 
 double missing_share(int64_t n, int64_t m) {
