@@ -146,10 +146,11 @@ double share_from(const std::vector<double>& values, double limit) {
 }
 
 double percentile(std::vector<double> values, double share) {
-    std::sort(values.begin(), values.end());
     const double at = share * double(values.size() - 1);
-    const size_t k = std::min(size_t(at), values.size() - 1), next = std::min(k + 1, values.size() - 1);
-    return values[k] + (at - double(k)) * (values[next] - values[k]);
+    const auto k = values.begin() + long(std::min(size_t(at), values.size() - 1));
+    std::nth_element(values.begin(), k, values.end());
+    const double next = k + 1 == values.end() ? *k : *std::min_element(k + 1, values.end());
+    return *k + (at - std::floor(at)) * (next - *k);
 }
 
 }  // namespace uncertainty
