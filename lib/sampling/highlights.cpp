@@ -57,7 +57,12 @@ public:
         for (size_t t = tree.first_triangle; t < tree.first_triangle + tree.triangle_count; t++)
             for (const Vec3& sun : suns) add(t, sun);
         largest_first(MOST_PATCHES, [](const CoplanarPatch& s) { return s.area * s.specular; });
-        for (CoplanarPatch& patch : patches_) light(patch);
+        for (CoplanarPatch& patch : patches_) {
+            // All lit, this patch and the smaller ones after it would reflect less.
+            const auto more = [&](const CoplanarPatch& s) { return s.lit * s.specular >= patch.area * patch.specular; };
+            if (std::count_if(patches_.begin(), patches_.end(), more) >= MOST_HIGHLIGHTS) break;
+            light(patch);
+        }
         patches_.erase(
             std::remove_if(patches_.begin(), patches_.end(), [](const CoplanarPatch& s) { return !(s.lit > 0); }),
             patches_.end());

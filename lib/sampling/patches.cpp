@@ -30,13 +30,13 @@ struct Plane {
 struct Box {
     int lo[2] = {SIDE, SIDE}, hi[2] = {-1, -1};
     double cells() const { return hi[0] < lo[0] ? 0 : double(hi[0] - lo[0] + 1) * (hi[1] - lo[1] + 1); }
-    void take(const Cell& cell) {
-        const int at[2] = {cell.a, cell.b};
+    void take(const Box& b) {
         for (int k = 0; k < 2; k++) {
-            lo[k] = std::min(lo[k], at[k]);
-            hi[k] = std::max(hi[k], at[k]);
+            lo[k] = std::min(lo[k], b.lo[k]);
+            hi[k] = std::max(hi[k], b.hi[k]);
         }
     }
+    void take(const Cell& c) { take(Box{{c.a, c.b}, {c.a, c.b}}); }
 };
 
 struct Patch {
@@ -114,15 +114,18 @@ private:
     // at: the cut along an axis that leaves two clearly smaller boxes in all; unchanged if there is none.
     static void best_cut(const Box& box, const std::vector<Cell>& cells, double least, int& axis, int& at) {
         least *= .85;
-        for (int k = 0; k < 2; k++)
+        for (int k = 0; k < 2; k++) {
+            Box low, rows[SIDE], high[SIDE + 1];  // high: of a row and those after it
+            for (const Cell& cell : cells) rows[k == 0 ? cell.a : cell.b].take(cell);
+            for (int c = SIDE - 1; c >= 0; c--) (high[c] = rows[c]).take(high[c + 1]);
             for (int c = box.lo[k] + 1; c <= box.hi[k]; c++) {
-                Box low, high;
-                for (const Cell& cell : cells) ((k == 0 ? cell.a : cell.b) < c ? low : high).take(cell);
-                if (!(low.cells() + high.cells() < least)) continue;
-                least = low.cells() + high.cells();
+                low.take(rows[c - 1]);
+                if (!(low.cells() + high[c].cells() < least)) continue;
+                least = low.cells() + high[c].cells();
                 axis = k;
                 at = c;
             }
+        }
     }
 };
 
