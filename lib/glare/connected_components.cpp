@@ -59,12 +59,15 @@ ConnectedComponents::ConnectedComponents(const Geometry& geometry, double reach)
     const double cells_per_unit = std::min(std::sqrt(3.0) / std::max(chord, 1e-12) * (1 + 1e-12), 5e5);
     if (everything_) return;
     std::vector<uint64_t> key(geometry.omega.size());
+    in_rows(geometry.height, [&](int first, int end) {
+        for (size_t p = size_t(first) * geometry.width; p < size_t(end) * geometry.width; ++p) {
+            const Vec3 d = geometry.direction(p) * cells_per_unit;
+            key[p] = key_of(int(std::floor(d.x)), int(std::floor(d.y)), int(std::floor(d.z)));
+        }
+    });
     uint64_t last = 0;  // most neighbours lie in one cube
-    for (uint32_t p = 0; p < key.size(); ++p) {
-        const Vec3 d = geometry.direction(p) * cells_per_unit;
-        key[p] = key_of(int(std::floor(d.x)), int(std::floor(d.y)), int(std::floor(d.z)));
-        if (key[p] != last) keys_.push_back(last = key[p]);
-    }
+    for (const uint64_t k : key)
+        if (k != last) keys_.push_back(last = k);
     std::sort(keys_.begin(), keys_.end());
     keys_.erase(std::unique(keys_.begin(), keys_.end()), keys_.end());
     for (const uint64_t k : key)

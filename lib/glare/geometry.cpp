@@ -19,23 +19,16 @@ Geometry::Geometry(std::unique_ptr<const ViewGeometry> rays, int w, int h)
       omega_cos(size_t(w) * h),
       rays_(std::move(rays)),
       largest_cosine_(rays_->largest_cosine()) {
-    const Vec3 forward = line_of_sight();
-    for (int y = 0; y < h; ++y)
-        for (int x = 0; x < w; ++x) {
-            const size_t i = index(x, y);
+    in_rows(h, [&, forward = line_of_sight()](int first, int end) {
+        for (size_t i = size_t(first) * w; i < size_t(end) * w; ++i) {
             if (!(omega[i] > 0)) continue;
-            const Vec3 d = direction(x, y);
-            if (dot(d, d) == 0) {
-                omega[i] = 0;
-                continue;
-            }
+            const Vec3 d = direction(i);
             const double c = dot(forward, d);
-            if (projector.view().type == 'a' && c < 0) {
-                omega[i] = -omega[i];
-                continue;
-            }
-            omega_cos[i] = omega[i] * rays_->incidence(c);
+            if (dot(d, d) == 0) omega[i] = 0;
+            else if (projector.view().type == 'a' && c < 0) omega[i] = -omega[i];
+            else omega_cos[i] = omega[i] * rays_->incidence(c);
         }
+    });
     find_spans();
 }
 

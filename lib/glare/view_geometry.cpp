@@ -3,6 +3,8 @@
 #include "glare/view_geometry.h"
 #include <cmath>
 #include "base/angle.h"
+#include "base/processors.h"
+#include "base/threads.h"
 
 namespace glare {
 namespace {
@@ -44,6 +46,12 @@ double quadrilateral(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
 
 }  // namespace
 
+void in_rows(int height, const std::function<void(int, int)>& work) {
+    constexpr size_t rows_a_share = 64;
+    base::in_shares(size_t(height), rows_a_share, base::processors(),
+                    [&](size_t first, size_t end) { work(int(first), int(end)); });
+}
+
 Vec3 ViewGeometry::direction(double X, double Y) const {
     const auto d = projector.direction(X, Y);
     return d ? *d : Vec3{};
@@ -51,17 +59,19 @@ Vec3 ViewGeometry::direction(double X, double Y) const {
 
 std::vector<double> ViewGeometry::solid_angles(int width, int height) const {
     std::vector<double> out(size_t(width) * height);
-    std::vector<Corner> low = corner_row(projector, width, 0), high;
-    for (int y = 0; y < height; ++y) {
-        high = corner_row(projector, width, double(y + 1) / height);
-        double* row = &out[size_t(height - 1 - y) * width];
-        for (int x = 0; x < width; ++x) {
-            const bool all = low[x].exists && low[x + 1].exists && high[x].exists && high[x + 1].exists;
-            const double size = all ? quadrilateral(low[x].d, low[x + 1].d, high[x + 1].d, high[x].d) : 0;
-            row[x] = size <= 2 * pi ? size : 0;
+    in_rows(height, [&](int first, int end) {
+        std::vector<Corner> low = corner_row(projector, width, double(first) / height), high;
+        for (int y = first; y < end; ++y) {
+            high = corner_row(projector, width, double(y + 1) / height);
+            double* row = &out[size_t(height - 1 - y) * width];
+            for (int x = 0; x < width; ++x) {
+                const bool all = low[x].exists && low[x + 1].exists && high[x].exists && high[x + 1].exists;
+                const double size = all ? quadrilateral(low[x].d, low[x + 1].d, high[x + 1].d, high[x].d) : 0;
+                row[x] = size <= 2 * pi ? size : 0;
+            }
+            low.swap(high);
         }
-        low.swap(high);
-    }
+    });
     return out;
 }
 

@@ -2,6 +2,7 @@
 // Geometry of a view's pixels: directions, solid angles, angles to the line of sight.  This is luxpipe's own method;
 // lib/evalglare overrides it.
 #pragma once
+#include <functional>
 #include <limits>
 #include <vector>
 #include "view/position_index.h"
@@ -35,5 +36,8 @@ public:
     // Dot products above this, which rounding makes, correspond to no angle.
     virtual double largest_cosine() const { return std::numeric_limits<double>::infinity(); }
 };
+
+// Calls work(first, end) for all rows of a picture, on several threads if there are many.
+void in_rows(int height, const std::function<void(int first, int end)>& work);
 
 }  // namespace glare
