@@ -143,7 +143,7 @@ FilesNow files_now() {
     for (const FileNote& x : all) {
         const FileStamp stamp = stamp_of(x.path);
         now.changed = now.changed || !(stamp == x.stamp);
-        now.gone = now.gone || (stamp.inode == 0 && x.stamp.inode != 0);
+        now.gone = now.gone || (stamp.size == 0 && x.stamp.size != 0);
         state.append(reinterpret_cast<const char*>(&stamp), sizeof stamp);
     }
     now.state = std::hash<std::string>()(state);

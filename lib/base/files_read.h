@@ -41,7 +41,7 @@ std::vector<std::string> forget_files_read();
 // The files noted as they are on the disk now, compared with when they were noted.
 struct FilesNow {
     bool changed = false;  // another file, size or time of change; come to be or gone
-    bool gone = false;     // one of them is not there any more
+    bool gone = false;     // one of them is not there any more, or has become empty
     uint64_t state = 0;    // equal for equal states
     size_t count = 0;
 };

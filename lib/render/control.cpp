@@ -13,8 +13,8 @@ namespace render {
 namespace {
 
 constexpr int patience_ms = 100;   // longest wait of a thread between two checks
-constexpr int look_ms = 25;        // between looks at the files; after two equal ones the editor has finished
-constexpr int looks_for_gone = 6;  // for a missing file: editors move it away before they write it anew
+constexpr int look_ms = 10;         // between looks at the files; after two equal ones the editor has finished
+constexpr int looks_for_gone = 15;  // for a missing or empty file: editors move it away, or empty it, then write it
 
 }  // namespace
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Commands to ptrace while it renders: the lines of a FIFO (-control), and files of the scene that change (-watch).  A
-// thread reads both, so that neither waits for a frame.  It polls the files' state every 25 ms instead of using
+// thread reads both, so that neither waits for a frame.  It polls the files' state every 10 ms instead of using
 // inotify: network folders have no events, every way of saving is covered, and 50 files cost 50 us.
 #pragma once
 #include <atomic>

@@ -110,6 +110,20 @@ TEST_CASE("a file that was read and has changed is the command scene, once") {
     CHECK(!control.edited());
 }
 
+TEST_CASE("a file that an editor has emptied, to write it, counts as gone; one that was always empty does not") {
+    base::forget_files_read();
+    TempFolder folder;
+    const std::string name = folder.holding("a.rad", "void"), empty = folder.holding("b.rad", "");
+    base::note_file_read(name);
+    base::note_file_read(empty);
+    CHECK(!base::files_now().gone);
+    std::ofstream(name).close();
+    CHECK(base::files_now().gone);
+    std::ofstream(name) << "void glow";
+    CHECK(!base::files_now().gone);
+    CHECK(base::files_now().changed);
+}
+
 TEST_CASE("a storm of commands loses none and keeps their order") {
     base::forget_files_read();  // of the case before, which are gone: they would be an edit
     const Fifo fifo;
