@@ -22,7 +22,7 @@ trace() {  # folder of programs, side, options
     "$1/ptrace" -w- -device cpu -ab 5 -vf view.vf -x "$2" -y "$2" "${@:3}" materials.rad layout.rad sky_1400.rad
 }
 pipe() { trace "$1" "$2" -frames 2 | "$1/ptaccum" -every x2/16 | "$1/vcmetrics" -W- -metrics Ev,DGP,DGPf; }
-# Seconds of these runs: nothing, the scene without frames, frame 0 alone and with moments, frames 0 to 1 and 0 to 2, the pipe
+# Seconds of: nothing, the scene without frames, frame 0 alone, with moments, frames 0 and 1, frames 0 to 2, the pipe
 turn() {
     seconds "$1/ptrace" -version
     seconds trace "$1" "$2" -M scene
@@ -61,7 +61,7 @@ for side in $sizes; do
     for name in ${old:+old} new; do printf '%s\t%s%s\n' "$side" "$name" "$(stages $name | medians %.3f)"; done |
         tee -a "$out/startup.tsv"
     [ -z "$old" ] || paste <(stages old) <(stages new) |
-        awk -v OFS='\t' '{ print $17 / $8, $18 / $9 }' | medians %.2f | sed "s/^/$side\told over new/"
+        awk -v OFS='\t' '{ print $17 / $8, $18 / $9 }' | medians %.2f | sed "s/^/$side\told over old/"
 done
 command -v gnuplot > /dev/null || exit 0
 cd "$out" && gnuplot << 'END'

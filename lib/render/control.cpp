@@ -12,7 +12,7 @@
 namespace render {
 namespace {
 
-constexpr int patience_ms = 100;   // longest wait of a thread between two checks
+constexpr int patience_ms = 100;    // longest wait of a thread between two checks
 constexpr int look_ms = 10;         // between looks at the files; after two equal ones the editor has finished
 constexpr int looks_for_gone = 15;  // for a missing or empty file: editors move it away, or empty it, then write it
 
