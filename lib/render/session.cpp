@@ -62,6 +62,7 @@ void Session::load(const std::string& sky, Setup setup, Next next) {
     setup.reading.work = std::make_shared<base::WorkBudget>(*setup.reading.work);  // what the rest of the scene left
     setup.reading.asked_by.clear();                                                // a sky is the command line's
     scene::Scene& scene = with_sky_.scene;
+    const bool is_first = with_sky_.room_text.empty();
     scene::cut(scene, with_sky_.room);
     next_ = next;
     if (next == Next::skies_or_edits && with_sky_.room_text.empty()) with_sky_.room_text = hash_of_surfaces(scene);
@@ -71,7 +72,7 @@ void Session::load(const std::string& sky, Setup setup, Next next) {
     may_have_light_ = scene.may_have_light();
     load_into_renderer(with_sky_, setup, setup.reading);
     if (next == Next::nothing) scene = scene::Scene();  // the renderer has its own tables
-    base::give_back_memory();
+    if (is_first || next == Next::nothing) base::give_back_memory();  // else for the next sky
     select(setup);
 }
 
