@@ -1,13 +1,13 @@
 #!/bin/bash
 # SPDX-License-Identifier: BSD-3-Clause
 # From exec to the first numbers: bench/startup.sh build/bin [older/bin]
-# Processor seconds, the system's included, of one core until vcmetrics has written the line of frame 1, the first with
+# Processor seconds of one core, the system's included, until vcmetrics has written the line of frame 1, the first with
 # diffuse light: the office at 14:00, -ab 5.  A stage of ptrace is the difference of two runs, of which one ends behind
-# it; all runs of a turn stand beside each other, and what is shown are medians of RUNS turns: a line a size and
-# folder, tab separated.  With a second folder the two take turns; then follow its seconds over the first's, in the
-# same turn.  OUT (out/startup) gets startup.svg (docs/efficiency.md) if gnuplot is there.
+# it.  A line a size and folder, tab separated: medians of RUNS turns.  With a second folder the two take turns; then
+# follow the medians of seconds now over seconds before, of frame 0 to learning and of all.  OUT (out/startup) gets
+# startup.svg (docs/efficiency.md) if gnuplot is there.
 set -euo pipefail
-new=$(cd "$1" && pwd) old=${2:+$(cd "$2" && pwd)}
+now=$(cd "$1" && pwd) before=${2:+$(cd "$2" && pwd)}
 top=$(cd "$(dirname "$0")/.." && pwd)
 runs=${RUNS:-7} sizes=${SIZES:-64 128 256 512} out=${OUT:-$top/out/startup}
 mkdir -p "$out" && out=$(cd "$out" && pwd)
@@ -51,17 +51,17 @@ medians() {
 }
 
 printf '# %s runs; %s cores, load %s\n' "$runs" "$(nproc)" "$(cut -d ' ' -f 1 /proc/loadavg)"
-printf 'side\tof\texec\tscene\tframe 0\tmoments\tlearning\tframe 1\tsums and numbers\tframe 0 to learning\tall\n' |
+printf 'side\twhen\texec\tscene\tframe 0\tmoments\tlearning\tframe 1\tsums and numbers\tframe 0 to learning\tall\n' |
     tee "$out/startup.tsv"
 for side in $sizes; do
-    rm -f "$dir"/new "$dir"/old
+    rm -f "$dir"/*
     for ((run = 0; run < runs; run++)); do
-        for name in ${old:+old} new; do turn "${!name}" "$side" >> "$dir/$name"; done
+        for name in ${before:+before} now; do turn "${!name}" "$side" >> "$dir/$name"; done
     done
-    for name in ${old:+old} new; do printf '%s\t%s%s\n' "$side" "$name" "$(stages $name | medians %.3f)"; done |
+    for name in ${before:+before} now; do printf '%s\t%s%s\n' "$side" "$name" "$(stages $name | medians %.3f)"; done |
         tee -a "$out/startup.tsv"
-    [ -z "$old" ] || paste <(stages old) <(stages new) |
-        awk -v OFS='\t' '{ print $17 / $8, $18 / $9 }' | medians %.2f | sed "s/^/$side\told over old/"
+    [ -z "$before" ] || paste <(stages before) <(stages now) |
+        awk -v OFS='\t' '{ print $17 / $8, $18 / $9 }' | medians %.2f | sed "s/^/$side\tnow over before/"
 done
 command -v gnuplot > /dev/null || exit 0
 cd "$out" && gnuplot << 'END'

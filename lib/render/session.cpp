@@ -71,7 +71,7 @@ void Session::load(const std::string& sky, Setup setup, Next next) {
     history_ = scene.history;
     may_have_light_ = scene.may_have_light();
     load_into_renderer(with_sky_, setup, setup.reading);
-    if (next == Next::nothing) scene = scene::Scene();  // the renderer has its own tables
+    if (next == Next::nothing) scene = scene::Scene();                // the renderer has its own tables
     if (is_first || next == Next::nothing) base::give_back_memory();  // else for the next sky
     select(setup);
 }
