@@ -111,7 +111,7 @@ private:
         base::on_threads(std::min(threads_, (count + tile - 1) / tile), [&] {
             std::vector<char> scratch(kernels_.scratch_bytes(tile));
             for (uint32_t first; (first = next.fetch_add(tile)) < count;) {
-                end_if_cancelled();
+                heed_wish();
                 work(first, std::min(tile, count - first), scratch.data());
             }
         });

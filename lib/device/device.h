@@ -2,8 +2,10 @@
 // A device that runs paths: the CPU with natively compiled kernels, or an OpenCL device.
 #pragma once
 #include <atomic>
+#include <chrono>
 #include <memory>
 #include <string>
+#include <thread>
 #include <vector>
 #include "kernels/dialect/host.h"
 #include "flatten/flat_scene.h"
@@ -22,7 +24,8 @@ inline Params with_view(Params par, kernels::ViewTables tables) {
     return par;
 }
 
-// Thrown by run(), splat() and pilot() when they are cancelled (Device::cancel_when).
+// What a running pass is asked.  end: run(), splat() and pilot() throw Cancelled.
+enum class Wish { go_on, wait, end };
 struct Cancelled {};
 
 class Device {
@@ -52,14 +55,15 @@ public:
     virtual std::vector<float> self_test_numbers(uint32_t) { return {}; }
     // Returns true if the host is free while the device runs.
     virtual bool is_async() const { return false; }
-    // While *asked is true, a running pass ends with Cancelled, within a tile of paths (OpenCL: one bounce of them).
-    virtual void cancel_when(const std::atomic<bool>* asked) { cancel_ = asked; }
+    // A running pass looks at it before each tile of paths (OpenCL: each bounce of them).
+    virtual void heed(const std::atomic<Wish>* wish) { wish_ = wish; }
 
 protected:
-    void end_if_cancelled() const {
-        if (cancel_ && *cancel_) throw Cancelled{};
+    void heed_wish() const {
+        while (wish_ && *wish_ == Wish::wait) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        if (wish_ && *wish_ == Wish::end) throw Cancelled{};
     }
-    const std::atomic<bool>* cancel_ = nullptr;
+    const std::atomic<Wish>* wish_ = nullptr;
 };
 
 // name: "cpu" or, for tests, "cpu:NAME": one path at a time (baseline, avx2), or paths side by side (lanes8, lanes16;

@@ -131,9 +131,9 @@ public:
     uint32_t preferred_batch_size() const override { return most_paths_; }
     bool compact_tree() const override { return compact_; }
     bool is_async() const override { return true; }
-    void cancel_when(const std::atomic<bool>* asked) override {
-        Device::cancel_when(asked);
-        paths_.before_bounce = [this] { end_if_cancelled(); };
+    void heed(const std::atomic<Wish>* wish) override {
+        Device::heed(wish);
+        paths_.before_bounce = [this] { heed_wish(); };
     }
     std::string own_bits() const override { return own_bits_; }
 

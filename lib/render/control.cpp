@@ -16,17 +16,19 @@ constexpr int patience_ms = 100;    // longest wait of a thread between two chec
 constexpr int look_ms = 10;         // between looks at the files; after two equal ones the editor has finished
 constexpr int looks_for_gone = 15;  // for a missing or empty file: editors move it away, or empty it, then write it
 
+bool is_pause(const Command& c) { return c.word == "pause" && c.rest.empty(); }
+
 }  // namespace
 
 bool Control::is_edit(const Command& c) const {
     if (c.word == "go" && c.rest.empty()) return preview_;
-    return c.word != "next" && c.word != "what" && !(c.word == "pause" && c.rest.empty());
+    return c.word != "next" && c.word != "what" && !is_pause(c);
 }
 
 void Control::set_preview(bool preview) {
     const std::lock_guard<std::mutex> hold(lock_);
     preview_ = preview;
-    look_for_edits();
+    look_for_wish();
 }
 
 Control::Control(const std::string& fifo, bool watch) : watch_(watch) {
@@ -42,15 +44,18 @@ Control::~Control() {
 void Control::send(const Command& command) {
     const std::lock_guard<std::mutex> hold(lock_);
     commands_.push_back(command);
-    look_for_edits();
+    look_for_wish();
     arrived_.notify_all();
 }
 
-// A "next" before an edit applies to the current frame.
-void Control::look_for_edits() {
+// A "next" before an edit applies to the current frame, and a question behind "pause" is answered after it.
+void Control::look_for_wish() {
     const auto decides = [this](const Command& c) { return c.word == "next" || is_edit(c); };
     const auto first = std::find_if(commands_.begin(), commands_.end(), decides);
-    edit_waits_ = first != commands_.end() && is_edit(*first);
+    const size_t pauses = size_t(std::count_if(commands_.begin(), commands_.end(), is_pause));
+    using device::Wish;
+    const bool edit = first != commands_.end() && is_edit(*first);
+    wish_ = edit ? Wish::end : !commands_.empty() && commands_.size() == pauses ? Wish::wait : Wish::go_on;
 }
 
 void Control::look_at_files() {
@@ -71,6 +76,8 @@ void Control::listen() {
             base::warn(e.where, e.message);
         }
         if (watch_) look_at_files();
+        if (wish_ == device::Wish::wait && (base::shutdown_requested() || base::stdout_is_closed()))
+            wish_ = device::Wish::go_on;  // nobody is left to wait for
         if (reader_) reader_->wait(wait_ms);
         else std::this_thread::sleep_for(std::chrono::milliseconds(wait_ms));
     }
@@ -83,7 +90,7 @@ std::optional<Command> Control::take() {
     if (edited() && !is_edit(commands_.front())) return std::nullopt;  // it applies to the picture after the edit
     Command command = commands_.front();
     commands_.pop_front();
-    look_for_edits();
+    look_for_wish();
     return command;
 }
 

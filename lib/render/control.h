@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "device/device.h"
 #include "render/command_reader.h"
 
 namespace render {
@@ -34,8 +35,9 @@ public:
     // Answers the words of "what", between two frames.
     void answer_with(std::function<void(const std::string& words)> answer) { answer_ = std::move(answer); }
     bool edited() const { return !edits_.empty(); }
-    // An edit waits, so the current frame need not be finished (Renderer::cancel_when).
-    const std::atomic<bool>& edit_waits() const { return edit_waits_; }
+    // end: an edit waits, so the current frame need not be finished; wait: it is paused (Renderer::heed).
+    const std::atomic<device::Wish>& wish() const { return wish_; }
+    bool edit_waits() const { return wish_ == device::Wish::end; }
     std::vector<Command> take_edits() { return std::exchange(edits_, {}); }
     // Called when nothing is left to render: waits for an edit, a signal or, if it ends the picture of this label,
     // "next".
@@ -49,7 +51,7 @@ private:
     void send(const Command& command);
     std::optional<Command> take();
     bool is_edit(const Command& command) const;
-    void look_for_edits();
+    void look_for_wish();
     void carry_out(const Command& command, const std::string& label);
 
     std::unique_ptr<CommandReader> reader_;
@@ -58,7 +60,7 @@ private:
     std::deque<Command> commands_;
     std::vector<Command> edits_;  // of ends_picture()
     std::function<void(const std::string& words)> answer_;
-    std::atomic<bool> edit_waits_{false};
+    std::atomic<device::Wish> wish_{device::Wish::go_on};
     bool watch_;
     uint64_t seen_ = 0, told_ = 0;  // states of the files: the last one, and the last one reported
     int steady_ = 0;                // number of looks without a change of state

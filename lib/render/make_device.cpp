@@ -33,9 +33,9 @@ public:
         attempt([&] { device_->upload(scene); });
         if (!on_cpu_) scene_ = std::move(scene);
     }
-    void cancel_when(const std::atomic<bool>* asked) override {
-        Device::cancel_when(asked);
-        device_->cancel_when(asked);
+    void heed(const std::atomic<device::Wish>* wish) override {
+        Device::heed(wish);
+        device_->heed(wish);
     }
     void run(const Params& par, std::vector<float>& rgb) override {
         attempt([&] { device_->run(par, rgb); });
@@ -60,7 +60,7 @@ private:
         }
         device_ = device::make_cpu_device("cpu");
         on_cpu_ = true;
-        device_->cancel_when(cancel_);
+        device_->heed(wish_);
         if (scene_) device_->upload(std::move(scene_));
         scene_.reset();
         work();

@@ -131,7 +131,7 @@ void Renderer::select_view(const RenderView& v, const RenderOptions& options) {
     plan_ = plan_view(*device_, scene_, v, options);
 }
 
-void Renderer::cancel_when(const std::atomic<bool>* asked) { device_->cancel_when(asked); }
+void Renderer::heed(const std::atomic<device::Wish>* wish) { device_->heed(wish); }
 
 std::string Renderer::fingerprint() const {
     const std::string bits = device_->own_bits();

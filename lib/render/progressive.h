@@ -44,8 +44,8 @@ public:
     // Selects the view and options of the calls below; the options must equal those of load() in what changes the
     // scene's tables.
     void select_view(const RenderView& v, const RenderOptions& options);
-    // While *asked is true, the current frame is discarded and frames() returns early.
-    void cancel_when(const std::atomic<bool>* asked);
+    // While it says so, the current frame waits, or is discarded and frames() returns early.
+    void heed(const std::atomic<device::Wish>* wish);
     std::string device_name() const;
     std::string fingerprint() const;                   // of the present picture (fingerprint.h)
     int64_t direct_frames() const { return plan_.m; }  // for which its frame 0 stands

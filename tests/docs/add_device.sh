@@ -65,7 +65,7 @@ private:
         constexpr uint32_t tile = 4096;
         std::vector<char> scratch(cpu_baseline.scratch_bytes(tile));
         for (uint32_t first = 0; first < count; first += tile) {
-            end_if_cancelled();
+            heed_wish();
             work(first, std::min(tile, count - first), scratch.data());
         }
     }

@@ -75,11 +75,17 @@ TEST_CASE("an edit waits from its arrival until it is taken; next with another l
     CHECK(!control.edit_waits());
 }
 
-TEST_CASE("pause holds a picture until go; go makes an edit of a preview") {
+TEST_CASE("pause holds a frame at once, and a picture until go; go makes an edit of a preview") {
     const Fifo fifo;
     Control control(fifo.path, false);
+    const auto wishes = [&](device::Wish wish) {
+        for (int k = 0; k < 500 && control.wish() != wish; ++k) usleep(10000);
+        return control.wish() == wish;
+    };
     fifo.send("pause\n");
-    usleep(100000);
+    CHECK(wishes(device::Wish::wait));  // of the frame in work
+    fifo.send("what .5 .5\n");
+    CHECK(wishes(device::Wish::go_on));
     std::thread later([&] {
         usleep(200000);
         fifo.send("go\n");

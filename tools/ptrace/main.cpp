@@ -236,7 +236,7 @@ int render_all(Options options) {
         // Files that a scene names are read when it is loaded; so the rule of -M needs a device, too.
         if (is_first) {
             run.session.emplace(start(only_rule ? "cpu" : opt.device), std::move(without_sky), opt.scene_files);
-            if (is_live(opt)) run.session->renderer().cancel_when(&run.control.edit_waits());
+            if (is_live(opt)) run.session->renderer().heed(&run.control.wish());
             run.control.answer_with([&run](const std::string& words) { answer_what(run, words); });
         }
         using Next = render::Session::Next;
