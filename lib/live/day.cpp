@@ -2,17 +2,12 @@
 // See day.h.
 #include "live/day.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 #include <regex>
 
-#include "base/error.h"
 #include "base/split.h"
 #include "live/commands.h"
-#include "live/fifo.h"
 #include "live/json.h"
 
 namespace live {
@@ -53,30 +48,17 @@ std::string with_hour(const std::string& text, int hour) {
 
 }  // namespace
 
-// Opened for both ways: it is there before its writers and does not end with them.
 Day::Day(std::string control, const std::string& lines, const Files& files, Live& live)
     : control_(std::move(control)), files_(files), live_(live) {
-    if (control_.empty()) return;
-    errno = 0;
-    fd_ = open(lines.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC);
-    if (fd_ < 0) base::fail_system(lines, "cannot be opened");
-}
-
-Day::~Day() {
-    if (fd_ >= 0) close(fd_);
+    if (!control_.empty()) lines_.emplace(lines);
 }
 
 void Day::look() {
-    if (fd_ < 0) return;
+    if (!lines_) return;
     const Live::Numbers now = live_.numbers();
     if (now.design != seen_.design || now.files != seen_.files) begin();
     seen_ = now;
-    char block[1 << 14];
-    for (ssize_t n; (n = ::read(fd_, block, sizeof block)) > 0;)
-        for (const char* c = block; c != block + n; ++c) {
-            if (*c != '\n') waiting_ += *c;
-            else take(waiting_), waiting_.clear();
-        }
+    for (const std::string& line : lines_->read()) take(line);
     const auto picture = live_.picture();
     const bool moves = live_.ask([](const Design& d) { return d.preview.has_value(); });
     if (!moves && sky_ && picture && picture->header.edited != "preview" &&

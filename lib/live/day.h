@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <vector>
+#include "live/fifo.h"
 #include "live/files.h"
 #include "live/live.h"
 
@@ -17,8 +18,6 @@ public:
     // control: FIFO of that pipe's ptrace; its first line is the sign to begin.  lines: FIFO of all that the pipe
     // writes; its first line says that it has begun.  Both empty: there is no such pipe.
     Day(std::string control, const std::string& lines, const Files& files, Live& live);
-    ~Day();
-    Day(const Day&) = delete;
     void look();  // at the clock's pace
 
 private:
@@ -34,8 +33,7 @@ private:
     const Files& files_;
     Live& live_;
     Live::Numbers seen_;
-    int fd_ = -1;
-    std::string waiting_;  // of a line
+    std::optional<FifoLines> lines_;
     enum class Pipe { asleep, called, awake } pipe_ = Pipe::asleep;
     std::vector<std::string> texts_;  // of the files; the sky's at noon
     std::string view_;

@@ -7,9 +7,15 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <cerrno>
+
+#include "base/error.h"
+
 namespace live {
 
 namespace {
+constexpr size_t longest_line = 4000;
+
 bool is_fifo(int fd) {
     struct stat info = {};
     return fstat(fd, &info) == 0 && S_ISFIFO(info.st_mode);
@@ -31,6 +37,26 @@ Written write_whole(const std::string& fifo, const std::string& bytes) {
     }
     close(fd);
     return result;
+}
+
+// Opened for both ways: it is there before its writers and does not end with them.
+FifoLines::FifoLines(const std::string& fifo) {
+    errno = 0;
+    fd_ = open(fifo.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC);
+    if (fd_ < 0) base::fail_system(fifo, "cannot be opened");
+}
+
+FifoLines::~FifoLines() { close(fd_); }
+
+std::vector<std::string> FifoLines::read() {
+    std::vector<std::string> lines;
+    char block[4096];
+    for (ssize_t n; (n = ::read(fd_, block, sizeof block)) > 0;)
+        for (const char* c = block; c != block + n; ++c) {
+            if (*c == '\n') lines.push_back(std::move(rest_)), rest_.clear();
+            else if (rest_.size() < longest_line) rest_ += *c;
+        }
+    return lines;
 }
 
 }  // namespace live

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <string>
 #include <thread>
+#include "live/fifo.h"
 #include "live/live.h"
 
 namespace live {
@@ -14,15 +15,14 @@ public:
     Messages(const std::string& fifo, Live& live);  // throws base::Error (system)
     ~Messages();                                    // what has been written is passed on before
     Messages(const Messages&) = delete;
-    int descriptor() const { return fd_; }  // for a program that we start
+    int descriptor() const { return lines_.descriptor(); }  // for a program that we start
 
 private:
     void listen();
     void pass_on();
-    void take_line();
+    void take(const std::string& line);
     Live& live_;
-    int fd_;
-    std::string line_;
+    FifoLines lines_;
     std::atomic<bool> ends_{false};
     std::thread thread_;
 };
