@@ -13,6 +13,7 @@ namespace display {
 namespace {
 
 constexpr int gap = 12, line = 16, side = 360, tall = 480, largest_cell = 24, bar = 14;  // pixels
+constexpr int column_width = side + 3 * gap;
 constexpr Colour unknown{238, 238, 238}, black{0, 0, 0}, white{255, 255, 255};
 
 // From the least to the greatest value, without a top: in proportion, or by their logarithm where they span more than a
@@ -146,7 +147,7 @@ void add_legend(Canvas& c, const MapColumn& column, const Scale& scale, const Co
 Canvas point_maps(const std::vector<std::string>& names, const std::vector<std::vector<image::Point>>& grids,
                   const std::vector<MapColumn>& columns) {
     Canvas c;
-    c.width = gap + int(columns.size()) * (side + 2 * gap);
+    c.width = gap + int(columns.size()) * column_width;
     c.height = gap;
     std::vector<Scale> scales;
     std::vector<ColourTable> tables;
@@ -156,7 +157,7 @@ Canvas point_maps(const std::vector<std::string>& names, const std::vector<std::
         smooth.style = ToneOptions::Style::smooth;
         tables.push_back(falsecolor_table(scales.back(), smooth));
     }
-    const auto left = [](size_t column) { return gap + int(column) * (side + 2 * gap); };
+    const auto left = [](size_t column) { return gap + int(column) * column_width; };
     for (size_t g = 0; g < grids.size(); ++g) {
         const Raster raster(grids[g]);
         c.words.push_back({gap, c.height, names[g]});

@@ -153,6 +153,13 @@ std::optional<Answer> answer_report(Asked& report, const Arguments& arguments) {
     return Answer{200, "text/html; charset=utf-8", found->text};
 }
 
+std::optional<Answer> answer_plan(Asked& plan, const Arguments& arguments) {
+    const auto found = plan.of(count(arguments, "picture").value_or(0));
+    if (!found) return std::nullopt;
+    if (found->status != 0) return plain(409, "vcmetrics -over ends with status " + std::to_string(found->status));
+    return Answer{200, "application/json", "{\"number\":" + std::to_string(found->picture) + "," + found->text};
+}
+
 // The text that stands for a file, with its version; 204: it is the file's own.
 static Answer overlaid(const Live& live, const Files& files, const Arguments& arguments) {
     const TextFile* f = named(files, arguments);

@@ -30,6 +30,8 @@ std::optional<Answer> answer_next(Live& live, const Arguments& arguments);
 std::optional<Answer> answer_sources(Asked& sources, const Arguments& arguments);
 // GET /report, likewise.
 std::optional<Answer> answer_report(Asked& report, const Arguments& arguments);
+// GET /plan, likewise.
+std::optional<Answer> answer_plan(Asked& plan, const Arguments& arguments);
 // The other questions of GET.
 Answer answer_query(const Live& live, const Files& files, const std::string& path, const Arguments& arguments);
 // PUT /file: the new text, and the tag of the text that it was made from.

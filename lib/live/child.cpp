@@ -8,6 +8,7 @@
 #include <cerrno>
 
 #include "base/child.h"
+#include "base/descriptor.h"
 #include "base/error.h"
 
 namespace live {
@@ -35,5 +36,21 @@ void Child::close_input() {
 }
 
 int Child::wait() { return base::wait_for_child(pid_); }
+
+Outcome run(const std::vector<std::string>& command, const std::string& input, int errors) {
+    Outcome out;
+    try {
+        Child child(command, errors);
+        base::write_all(child.input(), input.data(), input.size());
+        child.close_input();
+        char block[1 << 14];
+        for (ssize_t n; (n = base::read_some(child.output(), block, sizeof block)) > 0;)
+            out.text.append(block, size_t(n));
+        out.status = child.wait();
+    } catch (const base::Error&) {
+        out.status = int(base::Kind::system);
+    }
+    return out;
+}
 
 }  // namespace live

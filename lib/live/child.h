@@ -25,4 +25,11 @@ private:
     int input_ = -1, output_ = -1;
 };
 
+// A program that reads this input to its end.
+struct Outcome {
+    int status = 0;    // 2 where it cannot be started
+    std::string text;  // its standard output
+};
+Outcome run(const std::vector<std::string>& command, const std::string& input, int errors);
+
 }  // namespace live

@@ -217,7 +217,8 @@ std::string Design::json() const {
                ",\"edit\":" + std::to_string(v.edit) + ",\"shown\":" + (shows(v) ? "true" : "false") +
                ",\"numbers\":" + json::list(base::split_list(v.numbers, '\n')) + "}";
     out += "],\"steps\":[" + std::to_string(step_changes) + "," + std::to_string(steps.size());
-    out += "],\"before\":" + std::to_string(before ? before->header.edit.value_or(0) : -1) + ",\"day\":" + day;
+    out += "],\"before\":" + std::to_string(before ? before->header.edit.value_or(0) : -1) + ",\"day\":" + day +
+           ",\"plan\":" + plan;
     return out + ",\"base\":" + json::text(base) + ",\"earlier\":" + json::list(earlier) +
            ",\"views\":" + json::list(views) + ",\"messages\":" + json::list({messages.begin(), messages.end()}) +
            ",\"current\":" + std::to_string(current) + ",\"paused\":" + (paused ? "true}" : "false}");

@@ -50,6 +50,7 @@ struct Design {
     std::vector<std::pair<std::string, std::string>> places;  // views by name
     std::vector<std::string> earlier;                         // words of the edits before this design was opened again
     std::string day = "null";                                 // the hours of the date (day.h), as JSON
+    std::string plan = "null";                                // of points (plan.h), as JSON
     std::shared_ptr<const image::Picture> before = {};        // of the edit before the newest one
     size_t current = 0;                                       // so many of the last of them came since the last change
     bool paused = false;

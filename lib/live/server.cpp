@@ -11,9 +11,9 @@
 #include <chrono>
 #include <condition_variable>
 #include <cstring>
-#include <fstream>
 #include <thread>
 
+#include "live/against.h"
 #include "live/answers.h"
 #include "live/commands.h"
 #include "live/day.h"
@@ -67,23 +67,21 @@ struct Server::State {
     bool ends = false;
     std::condition_variable tick;
     std::thread ticker;
-    std::optional<Asked> sources, report;
+    std::optional<Asked> sources, report, map;
     Visitors visitors;
 
     std::optional<DesignFile> design;
-    std::mutex looking;  // at the day
+    std::mutex looking;  // at what other pipes do
     std::optional<Day> day;
-    std::string against = "previous", said_against;
+    std::optional<Plan> plan;
+    Against against;
 
-    State(Live& l, const ServerOptions& o) : live(l), options(o) {
+    State(Live& l, const ServerOptions& o) : live(l), options(o), against(o.against, l) {
         live.change([&](Design& d) { d.texts.resize(files.size()); });
         design.emplace(options.design, files, live);
         offer_views(options.views, live);
         day.emplace(options.day, options.hours, files, live);
-        std::string asked;
-        std::getline(std::ifstream(options.against), asked);
-        if (asked == "first") against = asked;
-        else if (!asked.empty() && asked != "previous") live.change([&](Design& d) { d.base = asked; });
+        plan.emplace(options.plan, files, live);
     }
 
     void wake() {
@@ -104,8 +102,8 @@ struct Server::State {
             give_opened(to);
             end_preview(to);
             design->look();
-            look_at_day();
-            say_base();
+            look_at_pipes(false);
+            against.say();
             lock.lock();
             if (!changed && Clock::now() - woken < longest_wait / 4) continue;
             woken = Clock::now();
@@ -116,21 +114,10 @@ struct Server::State {
         }
     }
 
-    void look_at_day() {
+    void look_at_pipes(bool asked) {
         const std::lock_guard<std::mutex> lock(looking);
         day->look();
-    }
-
-    // What vcmetrics compares with: the number of the base's edit, or the word that the file held at the start.
-    void say_base() {
-        if (options.against.empty()) return;
-        const std::string now = live.ask([&](const Design& d) {
-            const Design::Variant* base = d.variant(d.base);
-            return base && base->edit >= 0 ? std::to_string(base->edit) : against;
-        });
-        if (now == said_against) return;
-        said_against = now;
-        std::ofstream(options.against) << now;
+        plan->look(asked);
     }
 
     // An answer, or the request waits until there is one.
@@ -182,8 +169,9 @@ struct Server::State {
         if (request.too_long) return send(connection, plain(MHD_HTTP_CONTENT_TOO_LARGE, "too long"));
         const auto asked = arguments(connection);
         if (method == "POST") {
+            if (path == "/plan") return send(connection, plan->limit(asked("limit")));
             const Answer done = answer_command({live, files, options.control}, path, asked, request.body);
-            look_at_day();  // hours of another model are no more
+            look_at_pipes(true);  // hours of another model are no more
             return send(connection, done);
         }
         if (path == "/file" && method == "PUT") {
@@ -197,6 +185,7 @@ struct Server::State {
             return send(connection, {MHD_HTTP_OK, std::string(file->type), std::string(file->text)});
         if (path == "/next") return wait_for(connection, request, [&] { return answer_next(live, asked); });
         if (path == "/sources") return wait_for(connection, request, [&] { return answer_sources(*sources, asked); });
+        if (path == "/plan") return wait_for(connection, request, [&] { return answer_plan(*map, asked); });
         if (path == "/what")
             return wait_for(connection, request, [&] { return answer_what({live, files, options.control}, asked); });
         if (path == "/report") return wait_for(connection, request, [&] { return answer_report(*report, asked); });
@@ -263,6 +252,7 @@ Server::Server(Live& live, const ServerOptions& options) : state_(std::make_uniq
     state_->sources.emplace([&live, &options] { return find_sources(live, options.sources); }, wake);
     state_->report.emplace(
         [&live, &options, state = state_.get()] { return find_report(live, state->files, options.report); }, wake);
+    state_->map.emplace([state = state_.get()] { return state->plan->draw(); }, wake);
     errno = 0;
     state_->daemon = MHD_start_daemon(
         MHD_USE_EPOLL_INTERNAL_THREAD | MHD_ALLOW_SUSPEND_RESUME, uint16_t(options.port), nullptr, nullptr,
@@ -287,6 +277,7 @@ Server::~Server() {
     state_->design->look(true);
     state_->sources.reset();
     state_->report.reset();
+    state_->map.reset();
     state_->wake();
     MHD_stop_daemon(state_->daemon);
 }

@@ -10,6 +10,8 @@
 //   GET /sources?picture=        the glare sources of picture P or a newer one (sources.h); waits for them
 //   GET /what?x=&y=              what ptrace sees at fractions of the newest picture; waits for it (what, ptrace(1))
 //   GET /report?picture=         the same as one HTML file for people (vcmetrics -report)
+//   GET /plan?picture=           numbers and map of the points, of this state of their sum or a newer one (plan.h)
+//   POST /plan?limit=            lx: of the line in that map, and of the share of points
 //   GET /save?as=hdr             the newest picture as a file, hdr or exr
 //   GET /facts                   what vcview was started with
 //   GET /file?n=                 text N of those that the page may show, with its tag (ETag)
@@ -31,6 +33,7 @@
 #include <string>
 #include "live/files.h"
 #include "live/live.h"
+#include "live/plan.h"
 
 namespace live {
 
@@ -42,6 +45,7 @@ struct ServerOptions {
     std::vector<std::string> views;    // view files that are offered
     std::string design;                // file that the design is read from and written to; empty: none
     std::string day, hours;            // FIFOs of the pipe that renders the hours (day.h); empty: none
+    PlanOptions plan;                  // the pipe that renders points
     std::string against;               // file of vcmetrics -against; empty: none
     std::vector<std::string> sources;  // the program that lists glare sources (sources.h)
     std::vector<std::string> report;   // the one that writes reports

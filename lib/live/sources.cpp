@@ -11,7 +11,6 @@
 #include <fstream>
 #include <sstream>
 
-#include "base/descriptor.h"
 #include "base/error.h"
 #include "base/split.h"
 #include "image/stream.h"
@@ -37,23 +36,10 @@ std::vector<std::string> without(const std::vector<std::string>& command, const 
     return out;
 }
 
-// The program on a picture: its standard output.
-Asked::Found run(const std::vector<std::string>& command, const image::Picture& picture, size_t number, int errors) {
-    Asked::Found found;
-    found.picture = number;
-    try {
-        Child child(command, errors);
-        const std::string bytes = image::picture_bytes(picture, image::Format::flt);
-        base::write_all(child.input(), bytes.data(), bytes.size());
-        child.close_input();
-        char block[1 << 14];
-        for (ssize_t n; (n = base::read_some(child.output(), block, sizeof block)) > 0;)
-            found.text.append(block, size_t(n));
-        found.status = child.wait();
-    } catch (const base::Error&) {
-        found.status = int(base::Kind::system);
-    }
-    return found;
+// The program on the newest picture.
+Asked::Found run_on(const Live::News& news, const std::vector<std::string>& command, int errors) {
+    const Outcome done = run(command, image::picture_bytes(*news.shown, image::Format::flt), errors);
+    return {news.picture, done.status, done.text};
 }
 
 // The line of a picture, below the names of its columns; empty: it has not come.
@@ -113,10 +99,17 @@ std::vector<std::string> report_command(const std::vector<std::string>& command,
     return out;
 }
 
+std::vector<std::string> plan_command(const std::vector<std::string>& command, const std::vector<std::string>& points) {
+    const auto ci = std::find(command.begin(), command.end(), "-ci");
+    std::vector<std::string> out{"vcmetrics", "-ci", command.end() - ci > 1 ? ci[1] : "95"};
+    for (const std::string& file : points) out.insert(out.end(), {"-points", file});
+    return out;
+}
+
 Asked::Found find_sources(const Live& live, const std::vector<std::string>& command) {
     const auto news = live.since({}, true);
     if (!news || !news->shown) return {};
-    return run(command, *news->shown, news->picture, -1);
+    return run_on(*news, command, -1);
 }
 
 Asked::Found find_report(const Live& live, const Files& files, std::vector<std::string> command) {
@@ -139,7 +132,7 @@ Asked::Found find_report(const Live& live, const Files& files, std::vector<std::
             if (texts[n].now && files[n].kind == TextFile::Kind::scene)
                 command.insert(command.end(),
                                {"-overlay", files[n].path, folder.write("text" + std::to_string(n), *texts[n].now)});
-        Asked::Found found = run(command, *news->shown, news->picture, 2);
+        Asked::Found found = run_on(*news, command, 2);
         std::ostringstream text;
         text << std::ifstream(page, std::ios::binary).rdbuf();
         found.text = text.str();

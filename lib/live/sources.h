@@ -15,6 +15,9 @@ std::vector<std::string> sources_command(const std::vector<std::string>& command
 // Its options but for those of a stream; the files of the scene.
 std::vector<std::string> report_command(const std::vector<std::string>& command, const std::vector<std::string>& scene);
 
+// vcmetrics with the intervals of that program, of the points in these files.
+std::vector<std::string> plan_command(const std::vector<std::string>& command, const std::vector<std::string>& points);
+
 // text: a JSON object each line.
 Asked::Found find_sources(const Live& live, const std::vector<std::string>& command);
 // text: the HTML of vcmetrics -report, with the numbers of the line that vcmetrics has printed of this picture.

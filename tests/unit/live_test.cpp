@@ -3,6 +3,9 @@
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
+#include <fcntl.h>
+#include <sys/stat.h>
+
 #include <cmath>
 #include <random>
 
@@ -15,6 +18,7 @@
 #include "live/json.h"
 #include "live/live.h"
 #include "live/pixel.h"
+#include "live/plan.h"
 #include "live/regions.h"
 #include "temp_folder.h"
 
@@ -329,4 +333,74 @@ TEST_CASE("a file is written only over the state that its writer has read, and r
     CHECK(file.read().tag == now.tag);
     CHECK(file.write("# none any more\n", now.tag));
     CHECK(live::region_outlines(file.read().text, file.path, small_picture(9, 7)) == "[]");
+}
+
+namespace {
+
+// A FIFO and what has been written to it, or is.
+struct Fifo {
+    explicit Fifo(std::string name) : path(std::move(name)) {
+        REQUIRE(mkfifo(path.c_str(), 0600) == 0);
+        fd = open(path.c_str(), O_RDWR | O_NONBLOCK);
+    }
+    ~Fifo() { close(fd); }
+    void send(const std::string& text) const { REQUIRE(write(fd, text.data(), text.size()) == ssize_t(text.size())); }
+    std::string read() const {
+        char block[1000];
+        const ssize_t n = ::read(fd, block, sizeof block);
+        return n > 0 ? std::string(block, size_t(n)) : "";
+    }
+    std::string path;
+    int fd;
+};
+
+}  // namespace
+
+TEST_CASE("a plan rests until the picture of a change has four frames, and then has the texts of the page") {
+    TempFolder folder;
+    const Fifo control(folder.name("control")), lines(folder.name("lines"));
+    const live::Files files{{folder.holding("a.rad", ""), live::TextFile::Kind::scene, true}};
+    const live::PlanOptions options{control.path, lines.path, folder.name("sum.exr"), {}};
+    live::Live page;
+    page.change([](live::Design& d) { d.texts.resize(1); });
+    live::Plan plan(options, files, page);
+    const auto picture = [&](int64_t edit, int64_t frames) {
+        image::Picture p = small_picture(2, 2);
+        p.header.edit = edit, p.header.frames = frames;
+        page.put_picture(p);
+        plan.look();
+    };
+    const auto says = [&](const std::string& words) {
+        return page.ask([](const live::Design& d) { return d.plan; }).find(words) != std::string::npos;
+    };
+    plan.look();
+    picture(0, 3);
+    CHECK(control.read().empty());
+    picture(0, 4);
+    CHECK(control.read() == "go\n");
+    page.change([](live::Design& d) { d.change(0, "new", false); });
+    plan.look(true);
+    CHECK(control.read() == "pause\n");
+    CHECK(says("\"waits\":true"));
+    picture(0, 9);
+    picture(1, 3);
+    CHECK(control.read().empty());
+    picture(1, 4);
+    CHECK(control.read() == "go\noverlay " + files[0].path + " 3\nnewwhat .5 .5\n");
+    CHECK(says("\"waits\":true"));
+    lines.send("ptrace: what .5 .5\t7\t\nptrace: x.pts:2: said once\nptrace: x.pts:2: said once\n");
+    plan.look();
+    CHECK(says("\"edit\":7,\"waits\":false"));
+    CHECK(page.ask([](const live::Design& d) { return d.messages.size(); }) == 1);
+    page.change([](live::Design& d) { d.paused = true; });
+    plan.look();
+    CHECK(control.read() == "pause\n");
+
+    CHECK(says("{\"number\":0,\"limit\":300,"));
+    folder.holding("sum.exr", "a sum");
+    plan.look();
+    CHECK(says("{\"number\":1,"));
+    CHECK(plan.limit("500").status == 204);
+    CHECK(says("{\"number\":2,\"limit\":500,"));
+    for (const char* wrong : {"", "0", "-1", "nan", "1e9", "5 6"}) CHECK(plan.limit(wrong).status == 400);
 }

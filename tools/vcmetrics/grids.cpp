@@ -46,6 +46,7 @@ std::vector<std::string> names_of_grids(const Options& o, const image::Header& h
                                         const std::vector<GridColumn>& columns) {
     std::vector<std::string> names = {"frame", "seconds"};
     if (!h.sky_name.empty()) names.push_back("sky");
+    if (h.edit) names.push_back("edit");
     for (const GridColumn& c : columns) {
         names.push_back(c.name);
         if (o.ci) names.push_back(c.name + ".lo"), names.push_back(c.name + ".hi");
@@ -94,6 +95,7 @@ double limit_of_map(const GridState& s) {
 std::string row_of(const Options& o, const GridState& s, int64_t frame, double seconds) {
     std::vector<Cell> cells = {number_cell(double(frame)), number_cell(seconds, 4)};
     if (!s.header.sky_name.empty()) cells.push_back(text_cell(s.header.sky_name));
+    if (s.header.edit) cells.push_back(number_cell(double(*s.header.edit)));
     for (const GridColumn& c : s.columns) {
         const GridNumber v = grid_number(c, s.grids, 1 - o.ci.value_or(.95));
         cells.push_back(number_cell(v.value));

@@ -52,6 +52,13 @@ std::optional<Options> parse_options(int argc, char** argv) {
           o.server.against);
     t.add("-day control lines", "FIFOs of a pipe that renders the hours of the day while the picture is good enough",
           [&](base::Arguments& a) { o.server.day = a.text(), o.server.hours = a.text(); });
+    t.add("-plan control lines sum", "FIFOs of a pipe that renders points, and the file of their sum",
+          [&](base::Arguments& a) {
+              o.server.plan.control = a.text(), o.server.plan.lines = a.text(), o.server.plan.sum = a.text();
+          });
+    std::vector<std::string> points;
+    t.add("-points file", "The points of -plan; may be repeated",
+          [&](base::Arguments& a) { points.push_back(a.text()); });
     std::vector<std::string> scene;
     t.add("-scene file", "Scene of the report, as in vcmetrics; may be repeated",
           [&](base::Arguments& a) { scene.push_back(a.text()); });
@@ -62,6 +69,7 @@ std::optional<Options> parse_options(int argc, char** argv) {
     add_regions(regions, o);
     for (const std::string& file : edited) o.server.files.emplace_back(file, live::TextFile::Kind::scene, true);
     o.server.sources = live::sources_command(o.command);
+    o.server.plan.measure = live::plan_command(o.command, points);
     o.server.report = live::report_command(o.command, scene);
     if (dashes != end && o.command.empty()) base::fail("--", "names no program");
     return o;

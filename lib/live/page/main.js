@@ -4,6 +4,7 @@ import { Day } from '/day.js';
 import { Edits } from '/edits.js';
 import { ask, command, Lost, tag_of, unpack } from '/net.js';
 import { PictureView } from '/picture.js';
+import { Plan } from '/plan.js';
 import { Lines, fill_table, plot } from '/plot.js';
 import { Pointed } from '/pointed.js';
 import { follow } from '/pointer.js';
@@ -29,7 +30,7 @@ const variants = new Variants((text) => camera.say(text), (rgb) => tones.compare
   const rows = lines.runs.find((r) => r.edit === edit)?.rows;
   return rows && verdict(glare_of(lines.columns), rows[rows.length - 1]).number;
 });
-const day = new Day(sliders);
+const day = new Day(sliders), plan = new Plan();
 const pointed = new Pointed(() => shown, sliders);
 const sources = new Sources(view, (x, y) => pointed.words(x, y, true));
 const probe = new Probe([(x, y) => regions.at(x, y).map((name) => `in ${name}`).join(', '), (x, y) => sources.at(x, y)], (x, y) => pointed.words(x, y));
@@ -77,6 +78,7 @@ async function take_state(state) {
   [steps, $('undo').disabled] = [Math.max(steps, state.steps[0]), !state.steps[1]];
   await sliders.take(state.texts);
   day.take(state.day);
+  plan.take(state.plan);
 }
 
 async function take(answer) {

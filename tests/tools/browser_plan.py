@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# The plan beside the picture, while ptrace renders: browser_plan.py LINK
+#   LINK: what vcview printed.
+import json, re, sys
+from selenium.webdriver.common.keys import Keys
+from browser_page import Page, check, link_in, soon
+
+page = Page(link_in(sys.argv[1]))
+SECONDS = 90  # for a machine with other work
+rows = lambda: {grid: cells for grid, *cells in page.rows('#plan-numbers')}
+mean = lambda: float(rows()['desk'][0].split()[0])
+says = lambda: page.text('#plan-say')
+frames = lambda: int(re.findall(r'^(\d+) frames$', says())[0])  # none while the map is of another model
+state = lambda: json.loads(re.search(rb'"plan":(\{.*?\})', page.ask('/next?picture=99999&line=99999')[1])[1])
+drawn = """[...document.querySelectorAll('#plan img')].every((i) => i.complete && i.naturalWidth > 300)"""
+
+
+def told():
+    """Has the page the numbers that the server has of what it shows?"""
+    shown = int(page.js('document.body.dataset.plan'))
+    plan = json.loads(page.ask(f'/plan?picture={shown}')[1])
+    return plan['number'] == shown and abs(mean() / plan['numbers']['desk.mean'] - 1) < .01
+
+
+check('there is a map with a row for each grid', soon(lambda: frames() > 0, SECONDS), says())
+check('whatever its name is', list(rows()) == ['desk', '<b>&'], rows())
+check('it is drawn', page.until(drawn))
+check('with intervals after a while', soon(lambda: re.search(r'\d to \d', rows()['desk'][0]), SECONDS), rows())
+check('the numbers are those of the server', soon(told, SECONDS), rows())
+check('both halves of the drawing are shown, each in its frame', page.js("""[...document.querySelectorAll('#plan div')]
+    .every((d) => d.clientWidth > 200 && Math.abs(d.firstChild.clientWidth / d.clientWidth - 2) < .02)"""))
+
+before = page.js('document.querySelector("#plan img").src')
+page.type('#plan-limit', '2000')
+heading = lambda: page.text('#plan-numbers thead')
+check('another limit has another share', soon(lambda: '≥ 2000 lx' in heading(), SECONDS), heading())
+check('and another map', page.until(f'document.querySelector("#plan img").src != "{before}"') and page.until(drawn))
+page.type('#plan-limit', '-3')
+check('a wrong limit is refused', soon(lambda: not page.js('document.getElementById("plan-limit").validity.valid')))
+check('and changes nothing', state()['limit'] == 2000)
+page.type('#plan-limit', '2000')
+
+day = mean()
+page.keys('#skies label:nth-of-type(2) input', *[Keys.ARROW_RIGHT] * 8)
+check('a change of the sky begins the plan anew', soon(
+    lambda: frames() > 0 and state()['edit'] > 0 and not state()['waits'] and mean() < .8 * day, SECONDS), rows())
+page.chrome.refresh()
+same = lambda: '≥ 2000 lx' in heading() and frames() > 0 and mean() < .8 * day
+check('a reload shows the same', soon(same, SECONDS))
+undone = lambda: page.one('#undo').is_enabled() and page.one('#undo').click()
+soon(lambda: undone() or not page.one('#undo').is_enabled(), SECONDS)
+check('Undo brings the first numbers back', soon(lambda: frames() > 0 and mean() > .8 * day, SECONDS), rows())
+
+for w in (1280, 390):
+    page.resize(w, 900)
+    check(f'nothing is wider than a page of {w} pixels', page.fits())
+page.check_contrast()
+page.check_keyboard()
+page.end()
