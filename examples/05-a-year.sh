@@ -3,7 +3,7 @@
 # A year at a desk until its class is decided: small pictures of all hours, then rounds of larger ones of the hours that
 # vcyear -next names.  05-a-year.sh OUT WEATHER HOURS ROUNDS [PTRACE-WORDS]; the words are a view and a scene.
 set -euo pipefail
-out=${1:-year} weather=${2:?an EPW or WEA file} hours=${3:-Mo-Fr 8-18} rounds=${4:-8} size=${SIZE:-64}
+out=${1:-year} weather=${2:?an EPW or WEA file} hours=${3:-Mo-Fr 8-18} rounds=${4:-20} size=${SIZE:-64}
 office=$(dirname "$0")/scenes/office
 [ $# -gt 4 ] || set -- "${@:1:4}" -vf "$office/view.vf" "$office/materials.rad" "$office/layout.rad"
 mkdir -p "$out"
@@ -22,7 +22,7 @@ for ((round = 1; round <= rounds; ++round)); do
         awk -v f="$frames" -v l="$larger" '$2 == f && $3 == l' "$out/next" > "$out/hours"
         echo "round $round: $(wc -l < "$out/hours") hours, $frames frames of $((larger * size)) x $((larger * size))"
         table "$frames" "$larger" "@$out/hours" "${@:5}" > "$out/part"
-        mv "$out/part" "$out/$round.$larger.$frames.tsv"
+        mv "$out/part" "$out/$(ls "$out"/*.tsv | wc -l).tsv"
     done <<< "$groups"
 done
 vcyear "$out"/*.tsv

@@ -12,6 +12,7 @@ namespace year {
 namespace {
 
 constexpr double most_pixels = 9e5;   // of a picture: 1024 x 1024 in a circle
+constexpr double dearest = 4;         // times the cheapest hour of a round: the others may not be needed after it
 constexpr double before_frame_1 = 8;  // what frame 0 and the moments cost, in frames
 
 // Noise falls with the frames and with the pixels, the error of pixels with the sides.
@@ -78,6 +79,10 @@ std::vector<Need> needs(const View& view, const Verdict& v, double alpha) {
         (decided(view, all, middle, alpha) ? enough : few) = middle;
     }
     all.resize(enough);
+    if (all.empty()) return all;
+    const auto cheaper = [](const Need& a, const Need& b) { return a.price < b.price; };
+    const double most = dearest * std::min_element(all.begin(), all.end(), cheaper)->price;
+    all.erase(std::remove_if(all.begin(), all.end(), [&](const Need& n) { return n.price > most; }), all.end());
     return all;
 }
 

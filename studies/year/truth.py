@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""truth.py OUT [SCENE ...]: how far hours of a small year are off, and how often a year's intervals hold.
+"""truth.py OUT [SCENE ...]: how far hours of a year are off, at the size and frames that the year chose by itself.
 
-Of each scene's Mondays (weather.py) HOURS are chosen, half of them next to a limit of DGP, half by even steps of DGP,
-and rendered at 512 x 512 for the truth.  YEARS small years of these hours have different seeds.  What is there is not
-made again.
+Each scene's Mondays (weather.py) are a year at 64 x 64 with nine frames; examples/05-a-year.sh renders hours again
+until the class is decided.  HOURS of it, half of them next to a limit of DGP, a quarter with the sun in view, the rest
+by even steps of DGP, are rendered with SIZE x SIZE pixels for the truth.  What is there is not made again.
 """
 import csv
 import math
@@ -14,21 +14,39 @@ import subprocess
 import sys
 
 STUDY = pathlib.Path(__file__).resolve().parent
-OFFICE = STUDY.parents[1] / "examples" / "scenes" / "office"
-SCENES = {"office": ["materials.rad", "layout.rad"], "blinds": ["materials.rad", "layout.rad", "blinds.rad"]}
-HOURS, YEARS = int(os.environ.get("HOURS", 40)), int(os.environ.get("YEARS", 20))
-SIZE, FRAMES = os.environ.get("SIZE", "512"), os.environ.get("FRAMES", "33")
+EXAMPLES = STUDY.parents[1] / "examples"
+OFFICE = EXAMPLES / "scenes" / "office"
+# What stands in or behind the office's window, and where it is.
+SCENES = {"office": [], "blinds": [OFFICE / "blinds.rad"], "fabric": [STUDY / "fabric.rad"],
+          "translucent": [STUDY / "translucent.rad"], "mirror": [STUDY / "mirror.rad"]}
+PLACES = {"mirror": ["-39.74", "-105.18", "-7"]}
+YEAR = os.environ.get("YEAR", "Mo 8-18")
+HOURS, SIZE, FRAMES = (int(os.environ.get(*word)) for word in (("HOURS", 40), ("SIZE", 512), ("FRAMES", 33)))
 LIMITS = (.35, .40, .45)
-COUNTS = [f"above_{limit:.2f}" for limit in LIMITS] + ["DGPe5", "GA"]
+THREADS = os.environ.get("THREADS", "2")
 
 
-def render(path, scene, hours, size, frames, seed=1):
-    """The table of these hours, unless it is there."""
+def words_of(scene):
+    words = ["-w-", "-n", THREADS, "-vf", OFFICE / "view.vf"]
+    return [*words, OFFICE / "materials.rad", OFFICE / "layout.rad", *SCENES[scene]]
+
+
+def weather_of(scene, out):
+    path = out / f"{'north' if scene not in PLACES else scene}.epw"
     if not path.exists():
-        ptrace = ["ptrace", "-w-", "-vf", str(OFFICE / "view.vf"), "-x", size, "-y", size, "-wea",
-                  os.environ["WEATHER"], "-hours", hours, "-frames", frames, "-seed", str(seed),
-                  *(str(OFFICE / name) for name in SCENES[scene])]
-        pipe = subprocess.Popen(ptrace, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
+        made_up = [sys.executable, str(STUDY / "weather.py"), *PLACES.get(scene, [])]
+        path.write_bytes(subprocess.run(made_up, stdout=subprocess.PIPE, check=True).stdout)
+    return path
+
+
+def render(out, scene, name, hours, size, frames, seed=1):
+    """The table of these hours, unless it is there."""
+    path = out / scene / name
+    if not path.exists():
+        path.parent.mkdir(parents=True, exist_ok=True)
+        ptrace = ["ptrace", "-x", size, "-y", size, "-wea", weather_of(scene, out), "-hours", hours,
+                  "-frames", frames, "-seed", seed, *words_of(scene)]
+        pipe = subprocess.Popen(list(map(str, ptrace)), stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
         sums = subprocess.Popen(["ptaccum", "-every", "x2/8"], stdin=pipe.stdout, stdout=subprocess.PIPE)
         part = path.with_suffix(".part")
         with open(part, "w") as out:
@@ -39,67 +57,90 @@ def render(path, scene, hours, size, frames, seed=1):
     return path
 
 
-def hours_of(path):
-    """Hour -> (DGP, half of its interval, Ev), from the last line of each."""
-    last = {row["sky"]: row for row in csv.DictReader(open(path), delimiter="\t") if row["frame"] != "frame"}
+class Hour:
+    """A line of a table; `side` is how many pixels the picture has to a side, to a few percent."""
+
+    def __init__(self, row):
+        self.row = row
+        value, low, high, self.ev, pixels, px = (
+            float(row[name]) for name in ("DGPf", "DGPf.lo", "DGPf.hi", "Ev", "pixels", "DGP.px"))
+        known = not math.isnan(low)
+        self.dgp, self.half = ((low + high) / 2, (high - low) / 2) if known else (value, 0 if self.ev == 0 else 1)
+        self.bound = max(.005 * math.sqrt(3217 / pixels), abs(px)) if self.ev else 0
+        self.pixels, self.px = pixels, px
+        self.order = (known or self.ev == 0, pixels, float(row["frame"]))
+
+
+def hours_of(*paths):
+    """Hour -> its line, chosen as vcyear does."""
     hours = {}
-    for hour, row in last.items():
-        value, low, high, ev = (float(row[name]) for name in ("DGPf", "DGPf.lo", "DGPf.hi", "Ev"))
-        hours[hour] = (value, 0, ev) if math.isnan(low) else ((low + high) / 2, (high - low) / 2, ev)
+    for path in paths:
+        for row in csv.DictReader(open(path), delimiter="\t"):
+            if row["frame"] != "frame":
+                hour = Hour(row)
+                if row["sky"] not in hours or hour.order >= hours[row["sky"]].order:
+                    hours[row["sky"]] = hour
     return hours
-
-
-def chosen(year):
-    lit = sorted((dgp, hour) for hour, (dgp, half, ev) in year.items() if ev > 0)
-    near = sorted(lit, key=lambda item: min(abs(item[0] - limit) for limit in LIMITS))[:HOURS // 2]
-    rest = [item for item in lit if item not in near]
-    return sorted(hour for dgp, hour in near + [rest[int((k + .5) * len(rest) / (HOURS - HOURS // 2))]
-                                                 for k in range(HOURS - HOURS // 2)])
-
-
-def verdict(*tables):
-    words = ["vcyear", "-w-", "-format", "tsv", *map(str, tables)]
-    text = subprocess.run(words, capture_output=True, text=True, check=True).stdout
-    return next(csv.DictReader(text.splitlines(), delimiter="\t"))
 
 
 def class_of(dgp):
     return sum(dgp > limit for limit in LIMITS)
 
 
-def judge(scene, folder):
-    (folder / "truth").mkdir(parents=True, exist_ok=True)
-    hours = chosen(hours_of(render(folder / "mondays.tsv", scene, "Mo 8-18", "64", "9")))
-    words = " ".join(hours)
-    files = {hour: folder / "truth" / f"{hour}.tsv" for hour in hours}
-    exact = {hour: hours_of(render(file, scene, hour, SIZE, FRAMES))[hour] for hour, file in files.items()}
-    years = [render(folder / f"year.{k}.tsv", scene, words, "64", "9", k) for k in range(2, YEARS + 2)]
-    off = [hours_of(year)[hour][0] - exact[hour][0] for year in years for hour in hours]
-    same = [class_of(hours_of(year)[hour][0]) == class_of(exact[hour][0]) for year in years for hour in hours]
-    n, within = len(off), sum(abs(x) <= .01 for x in off)
-    print(f"{scene}: {len(hours)} hours of {len(years)} years; DGP off by {sum(map(abs, off)) / n:.4f} in the mean "
-          f"(bias {sum(off) / n:+.4f}), .01 or less in {within / n:.1%}, class equal in {sum(same) / n:.1%}; "
-          f"the truth's own interval +- {sum(e[1] for e in exact.values()) / len(hours):.4f}")
-    truth, said = verdict(*files.values()), [verdict(year) for year in years]
-    for name in COUNTS:
-        inside = sum(float(v[name + ".lo"]) <= float(truth[name]) + 1e-9 and
-                     float(truth[name]) - 1e-9 <= float(v[name + ".hi"]) for v in said)
-        width = sorted(float(v[name + ".hi"]) - float(v[name + ".lo"]) for v in said)[len(said) // 2]
-        print(f"{scene}: {name} {float(truth[name]):.4g}: inside in {inside} of {len(said)}, median width {width:.3g}")
-    kinds = ["high", "medium", "minimum", "none"]
-    exact_class = kinds[class_of(float(truth["DGPe5"]) - 1e-9)]
-    wrong = sum(v["class"] not in (exact_class, "undecided") for v in said)
-    print(f"{scene}: class {exact_class}: {sum(v['class'] == 'undecided' for v in said)} undecided, {wrong} wrong")
+def near(dgp):
+    return min(abs(dgp - limit) for limit in LIMITS)
+
+
+def chosen(year):
+    """HOURS of the lit ones: next to a limit, the sun in view (a picture that small shows it by its largest .px), the
+    rest by even steps of DGP."""
+    rest = sorted((name for name, h in year.items() if h.ev > 0), key=lambda name: near(year[name].dgp))
+    picked, rest = rest[:HOURS // 2], rest[HOURS // 2:]
+    rest.sort(key=lambda name: -abs(year[name].px))
+    picked, rest = picked + rest[:HOURS // 4], rest[HOURS // 4:]
+    rest.sort(key=lambda name: year[name].dgp)
+    n = HOURS - len(picked)
+    return sorted(picked + [rest[int((k + .5) * len(rest) / n)] for k in range(n)])
+
+
+def verdict(*tables):
+    words = ["vcyear", "-w-", "-format", "tsv", *map(str, tables)]
+    text = subprocess.run(words, stdout=subprocess.PIPE, universal_newlines=True, check=True).stdout
+    return next(csv.DictReader(text.splitlines(), delimiter="\t"))
+
+
+def year_of(scene, out):
+    """The tables of the scene's year: all hours, and those of the rounds."""
+    render(out, scene, "year/0.tsv", YEAR, 64, 9)
+    rounds = ["bash", EXAMPLES / "05-a-year.sh", out / scene / "year", weather_of(scene, out), YEAR, "8"]
+    with open(out / scene / "rounds.txt", "a") as said:
+        subprocess.run(list(map(str, rounds + words_of(scene))), stdout=said, stderr=subprocess.DEVNULL, check=True)
+    return sorted((out / scene / "year").glob("*.tsv"))
+
+
+def judge(scene, out):
+    tables = year_of(scene, out)
+    first, year = hours_of(tables[0]), hours_of(*tables)
+    names = chosen(first)
+    exact = hours_of(render(out, scene, f"truth.{SIZE}.{FRAMES}.tsv", " ".join(names), SIZE, FRAMES, 99))
+    print(f"{scene}: {len(names)} of {len(year)} hours; class {verdict(*tables)['class']}; the truth's own interval "
+          f"+- {sum(h.half for h in exact.values()) / len(names):.4f}")
+    for what, said in (("64 x 64", first), ("what the year chose", year)):
+        off = [said[name].dgp - exact[name].dgp for name in names]
+        within = sum(abs(x) <= .01 for x in off)
+        same = sum(class_of(said[name].dgp) == class_of(exact[name].dgp) for name in names)
+        inside = sum(abs(x) <= said[name].half + said[name].bound + exact[name].half for x, name in zip(off, names))
+        larger = sum(said[name].pixels > first[name].pixels for name in names)
+        print(f"{scene}: {what} ({larger} larger): off by {sum(map(abs, off)) / len(off):.4f} in the mean (bias "
+              f"{sum(off) / len(off):+.4f}), .01 or less in {within}, class equal in {same}, within interval and "
+              f"pixels in {inside}")
 
 
 def main():
-    out = pathlib.Path(sys.argv[1])
+    out = pathlib.Path(sys.argv[1]).resolve()
     out.mkdir(parents=True, exist_ok=True)
-    os.environ["WEATHER"] = str(out / "made_up.epw")
-    (out / "made_up.epw").write_bytes(subprocess.run([sys.executable, str(STUDY / "weather.py")], capture_output=True,
-                                                     check=True).stdout)
     for scene in sys.argv[2:] or SCENES:
-        judge(scene, out / scene)
+        judge(scene, out)
 
 
 if __name__ == "__main__":
