@@ -29,6 +29,9 @@ SEEDS = (
     "for s in $(seq 25); do python3 -B studies/cie171/run.py -bin $BIN -only '5.9, 1x1' '5.10, 1x1' '5.11, 2x1' "
     "-not '5.10, 1x1, s' -points AGN -skies 5 -size 64 -cells 2 -frames 17 -seed $s; done"
 )
+YEARS = (
+    "PATH=$BIN:$PATH YEAR='Mo 8-18 1/2' POOL=40 SEEDS=4 YEARS=200 python3 -B studies/year/years.py $OUT/years office"
+)
 SIXTEEN = r"(?m)^%s(?:\t[^\t]*){6}\t(?P<percent>[\d.]+) "  # percent at the look of 17 frames
 
 # what, counted in, least percent that holds, command, words of its output: of tries, held or missed; percent, of which
@@ -93,6 +96,22 @@ PARTS = [
         SENSORS,
         r"(?m)^point(?:\t[^\t]*){2}\t(?P<percent>[\d.]+) ",
         960,
+    ),
+    (
+        "95 % intervals of a year of 200 hours at 64 x 64, 40 of them near a limit: counts above three limits, DGPe5",
+        "tries",
+        93,
+        YEARS,
+        r"(?m)^intervals: (?P<tries>\d+) tries, (?P<held>\d+) inside",
+        0,
+    ),
+    (
+        "classes of these years: right, or said to be undecided",
+        "years",
+        95,
+        YEARS,
+        r"(?m)^class: (?P<tries>\d+) tries, .* (?P<missed>\d+) wrong$",
+        0,
     ),
     *(
         (

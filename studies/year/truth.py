@@ -114,7 +114,8 @@ def year_of(scene, out):
     render(out, scene, "year/0.tsv", YEAR, 64, 9)
     rounds = ["bash", EXAMPLES / "05-a-year.sh", out / scene / "year", weather_of(scene, out), YEAR, "8"]
     with open(out / scene / "rounds.txt", "a") as said:
-        subprocess.run(list(map(str, rounds + words_of(scene))), stdout=said, stderr=subprocess.DEVNULL, check=True)
+        subprocess.run(list(map(str, rounds + words_of(scene))), env={**os.environ, "SIZE": "64"}, stdout=said,
+                       stderr=subprocess.DEVNULL, check=True)
     return sorted((out / scene / "year").glob("*.tsv"))
 
 
