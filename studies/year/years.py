@@ -15,8 +15,8 @@ import sys
 import truth
 from truth import class_of, hours_of, near, render, verdict
 
-POOL, SEEDS, YEARS, LENGTH, TRUTH = (
-    int(os.environ.get(*word)) for word in (("POOL", 60), ("SEEDS", 6), ("YEARS", 100), ("LENGTH", 200), ("TRUTH", 256)))
+WORDS = {"POOL": 60, "SEEDS": 6, "YEARS": 100, "LENGTH": 200, "TRUTH": 256}
+POOL, SEEDS, YEARS, LENGTH, TRUTH = (int(os.environ.get(*word)) for word in WORDS.items())
 NUMBERS = ["above_0.35", "above_0.40", "above_0.45", "DGPe5"]
 
 
@@ -63,8 +63,9 @@ def main():
         pool, sure = pooled(scene, out)
         off = [line.dgp - h.dgp for lines, h in pool.values() for line in lines]
         within = sum(abs(line.dgp - h.dgp) <= line.half + line.bound for lines, h in pool.values() for line in lines)
-        print(f"{scene}: {len(pool)} hours, {SEEDS} seeds: off by {sum(map(abs, off)) / len(off):.4f} in the mean (bias "
-              f"{sum(off) / len(off):+.4f}), within interval and pixels in {within / len(off):.1%}; {len(sure)} others")
+        print(f"{scene}: {len(pool)} hours, {SEEDS} seeds: off by {sum(map(abs, off)) / len(off):.4f} in the mean "
+              f"(bias {sum(off) / len(off):+.4f}), within interval and pixels in {within / len(off):.1%}; "
+              f"{len(sure)} others")
         for _ in range(YEARS):
             seen, exact = (verdict(table(out / "drawn.tsv", hours)) for hours in drawn(rng, pool, sure))
             for name in NUMBERS:
