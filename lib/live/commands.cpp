@@ -83,12 +83,14 @@ Answer undo_regions(const Commanded& to, const Design::Step& step) {
 Answer undo(const Commanded& to, const Arguments& asked) {
     const auto [steps, state] = to.live.ask([](const Design& d) { return std::pair(d.steps, d.step_changes); });
     if (asked("state") != std::to_string(state)) return plain(412, "the design has been changed meanwhile");
-    if (steps.empty()) return plain(409, "there is nothing to undo");
-    const Design::Step& last = steps.back();
+    Answer done = plain(409, "there is nothing to undo");
     using Of = Design::Step::Of;
-    Answer done = last.of == Of::text   ? undo_text(to, last.file)
-                  : last.of == Of::view ? back(to)
-                                        : undo_regions(to, last);
+    for (auto last = steps.rbegin(); last != steps.rend(); ++last) {
+        done = last->of == Of::text   ? undo_text(to, last->file)
+               : last->of == Of::view ? back(to)
+                                      : undo_regions(to, *last);
+        if (done.status != 204 || !last->joined) break;
+    }
     done.tag = to.live.ask([](const Design& d) { return std::to_string(d.step_changes); });
     return done;
 }

@@ -104,7 +104,10 @@ bool Design::note(const image::Header& h) {
     const std::string view = h.view ? view::to_options(*h.view) : "";
     const bool before = reopened && number == 0;  // of the command line
     if (!view.empty() && !before && (views.empty() || views.back() != view)) {
-        if (!views.empty()) step({Step::Of::view});
+        if (!views.empty()) {
+            const bool joined = shown_ == std::pair(step_changes, view);
+            step({Step::Of::view}), steps.back().joined = joined;
+        }
         views.push_back(view);
     }
     keep_last(edits, most_edits);
@@ -153,11 +156,16 @@ void Design::keep(const std::string& name) {
 }
 
 void Design::show(const Variant& v) {
+    const size_t before = step_changes;
     for (size_t n = 0; n < texts.size(); ++n) {
         if (v.texts[n] == texts[n].now) continue;
+        const bool first = step_changes == before;
+        texts[n].going = false;
         change(n, "", false);
         texts[n].now = v.texts[n];
+        steps.back().joined = !first;
     }
+    if (step_changes != before) shown_ = {step_changes, v.view};
     paused = false;
 }
 

@@ -32,6 +32,7 @@ struct Design {
         enum class Of { text, view, regions } of;
         size_t file = 0;
         std::string before = {}, tag = {};  // of the region file: the text before, and the tag of that after
+        bool joined = false;                // to the step before it, with which it is taken back
     };
     std::vector<Step> steps;
     size_t step_changes = 0;                             // of that list
@@ -78,6 +79,7 @@ struct Design {
 
 private:
     bool shows(const Variant& variant) const;
+    std::pair<size_t, std::string> shown_;              // state of the steps by which a variant's texts came; its view
     std::vector<std::optional<std::string>> rendered_;  // the texts when the newest edit's picture came
     std::vector<std::string> columns_;                  // of vcmetrics' lines
     std::shared_ptr<const image::Picture> newest_;      // no preview

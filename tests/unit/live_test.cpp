@@ -249,6 +249,33 @@ TEST_CASE("the design: edits, views and messages") {
     CHECK(live.ask([](const live::Design& d) { return d.paused; }));
 }
 
+TEST_CASE("Undo takes back at once what a variant has changed, its view, too") {
+    live::Live live;
+    live.change([](live::Design& d) { d.texts.resize(2); });
+    image::Picture p = small_picture(2, 2);
+    const auto come = [&](int64_t edit, double x) {
+        p.header.edit = edit;
+        p.header.view = view::View{};
+        p.header.view->vp.x = x;
+        live.put_picture(p);
+    };
+    const auto joined = [&] {
+        std::vector<bool> all;
+        for (const auto& s : live.ask([](const live::Design& d) { return d.steps; })) all.push_back(s.joined);
+        return all;
+    };
+    come(0, 0);
+    live.change([](live::Design& d) { d.keep("A"), d.change(0, "a", false), d.change(1, "b", true); });
+    come(1, 1);
+    CHECK(joined() == std::vector<bool>{false, false, false});
+    live.change([](live::Design& d) { d.show(*d.variant("A")); });
+    come(2, 0);
+    CHECK(joined() == std::vector<bool>{false, false, false, false, true, true});
+    live.change([](live::Design& d) { d.show(*d.variant("A")); });  // it is there already
+    come(3, 1);
+    CHECK(joined().back() == false);
+}
+
 TEST_CASE("a variant has the edit that shows it with most frames, and a change of that is news") {
     live::Live live;
     live.change([](live::Design& d) { d.texts.resize(1); });
