@@ -101,6 +101,14 @@ unsigned control_group_limit(const std::string& groups, const std::string& mount
     return unsigned(std::ceil(std::min(least, 1e6)));
 }
 
+bool has_avx2() {
+#if defined(__x86_64__)
+    return __builtin_cpu_supports("avx2");
+#else
+    return false;
+#endif
+}
+
 void use_processors(unsigned count) { said_by_user = count; }
 
 unsigned processors() {

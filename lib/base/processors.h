@@ -13,6 +13,9 @@ unsigned processors();
 // Number of processors to use from now on, as the user says (-n); 0: not said.
 void use_processors(unsigned count);
 
+// Does the machine have these instructions?
+bool has_avx2();
+
 // The limit of a process's control groups, of either version, rounded up; 0: none.  `groups` is the text of
 // /proc/PID/cgroup, `mount` where the groups are seen.
 unsigned control_group_limit(const std::string& groups, const std::string& mount);

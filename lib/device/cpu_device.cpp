@@ -31,13 +31,11 @@ struct Variant {
 
 bool always() { return true; }
 #if defined(__x86_64__)
-bool has_avx2() { return __builtin_cpu_supports("avx2"); }
 [[maybe_unused]] bool has_avx512() {
     return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
            __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw");
 }
 #else
-bool has_avx2() { return false; }
 bool has_avx512() { return false; }
 #endif
 
@@ -47,9 +45,9 @@ const Variant variants[] = {
     {"lanes16", &cpu_lanes16, has_avx512, "AVX-512"},  // paths side by side
 #endif
 #ifdef LUXPIPE_LANES8
-    {"lanes8", &cpu_lanes8, has_avx2, "AVX2"},
+    {"lanes8", &cpu_lanes8, base::has_avx2, "AVX2"},
 #endif
-    {"avx2", &cpu_avx2, has_avx2, "AVX2"},  // one path at a time
+    {"avx2", &cpu_avx2, base::has_avx2, "AVX2"},  // one path at a time
     {"baseline", &cpu_baseline, always, ""},
 };
 

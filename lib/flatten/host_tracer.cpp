@@ -2,8 +2,9 @@
 // The kernels' traversal compiled for the host.
 #include "flatten/host_tracer.h"
 
+#include "base/processors.h"
+#include "flatten/host_rays.h"
 #include "flatten/pack.h"
-#include "kernels/dialect/host.h"
 namespace kernels {
 #include "kernels/all.h"
 }  // namespace kernels
@@ -14,7 +15,10 @@ using namespace kernels;
 #define POINT_AT_BVH(type, name) tables.name = bvh->name.data();
 #define POINT_AT_SCENE(type, name) tables.name = scene.name.data();
 
+const HostRays host_rays_baseline = {trace_closest, trace_any};
+
 struct HostTracer::State {
+    const HostRays& rays = base::has_avx2() ? host_rays_avx2 : host_rays_baseline;
     const FlatScene& scene;
     std::shared_ptr<const bvh::Tree> bvh;
     SceneTables tables{};
@@ -39,7 +43,7 @@ HostTracer::~HostTracer() = default;
 HostTracer::Found HostTracer::closest(base::Vec3 o, base::Vec3 d, double tmin, double tmax, Mask mask) const {
     const Ray r = state_->ray(o, d, tmin, tmax);
     Hit h;
-    trace_closest(&state_->tables, &r, mask, &h);
+    state_->rays.closest(&state_->tables, &r, mask, &h);
     if (h.prim == NO_HIT) return {-1, NO_HIT, NO_HIT, {}};
     Surface g;
     surface_at(&state_->tables, &r, &h, &g);
@@ -48,7 +52,7 @@ HostTracer::Found HostTracer::closest(base::Vec3 o, base::Vec3 d, double tmin, d
 
 bool HostTracer::blocked(base::Vec3 o, base::Vec3 d, double tmin, double tmax, Mask mask) const {
     const Ray r = state_->ray(o, d, tmin, tmax);
-    return trace_any(&state_->tables, &r, mask) != 0;
+    return state_->rays.any(&state_->tables, &r, mask) != 0;
 }
 
 HostTracer::SourcePoint HostTracer::source_point(uint32_t i, base::Vec3 p, double x, double y) const {

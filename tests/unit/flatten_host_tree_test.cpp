@@ -6,10 +6,13 @@
 
 #include <filesystem>
 #include <fstream>
+#include <random>
 #include <vector>
 
+#include "base/processors.h"
 #include "base/tempfile.h"
 #include "flatten/flatten.h"
+#include "flatten/host_rays.h"
 #include "flatten/host_tracer.h"
 #include "flatten/trees.h"
 #include "scene/object.h"
@@ -53,6 +56,34 @@ TEST_CASE("what no kernel reads is given back, and rays meet the same") {
     CHECK(flat.prim_object.capacity() == 0);
     CHECK(found().t == before.t);
     CHECK(found().prim == before.prim);
+}
+
+TEST_CASE("both builds of the traversal meet the same") {
+    if (!base::has_avx2()) return;
+    using namespace kernels;
+    const flatten::FlatScene flat =
+        sunny_room("floor_paint sphere s 0 0 4 1 1 1 .5\nfloor_paint ring r 0 0 8 2 3 1 0 1 1 0 .7\n");
+    SceneTables tables{};
+#define POINT_AT_BVH(type, name) tables.name = flat.built.wide->name.data();
+#define POINT_AT_SCENE(type, name) tables.name = flat.name.data();
+    BVH_TABLES(POINT_AT_BVH)
+    FLAT_TABLES(POINT_AT_SCENE)
+    std::mt19937 random(1);
+    std::uniform_real_distribution<float> at(-1, 5);
+    int met = 0;
+    for (int k = 0; k < 20000; k++) {
+        const Ray ray = {F3(at(random), at(random), at(random)), 0, F3(at(random), at(random), at(random)), 1e30f};
+        for (const uint32_t mask : {1u, 2u, 3u}) {
+            Hit one{}, other{};
+            flatten::host_rays_baseline.closest(&tables, &ray, mask, &one);
+            flatten::host_rays_avx2.closest(&tables, &ray, mask, &other);
+            met += one.prim != NO_HIT;
+            CHECK(std::memcmp(&one, &other, sizeof one) == 0);
+            CHECK(flatten::host_rays_baseline.any(&tables, &ray, mask) ==
+                  flatten::host_rays_avx2.any(&tables, &ray, mask));
+        }
+    }
+    CHECK(met > 1000);
 }
 
 TEST_CASE("the tree of another scene serves one of the same surfaces, and no other") {
