@@ -20,10 +20,10 @@ uncertainty::Uncertain promised(const Hour& h, double frames, double larger) {
     return {h.dgp.value, h.dgp.error * std::sqrt((h.frames + 1) / frames) / larger, h.dgp.bound / larger};
 }
 
-// The cheapest way to decide the hour if its value stays; else the largest picture; nothing if it is that already.
+// The cheapest way to decide the hour if its value stays; else a picture twice as large; nothing if it is the largest.
 std::optional<Need> need_of(const Hour& h, double limit) {
-    constexpr int most_larger = 8, most_times = 16;
-    double frames = 8;  // and frame 0
+    constexpr int most_larger = 4, most_times = 4;  // in one round: noise of few frames is itself not well known
+    double frames = 8;                              // and frame 0
     while (frames < h.frames) frames *= 2;
     if (!h.is_known) {
         frames = std::max(2 * frames, double(uncertainty::least_frames));
@@ -35,7 +35,7 @@ std::optional<Need> need_of(const Hour& h, double limit) {
         for (int times = 1; times <= most_times; times *= 2) {
             Need n{h, limit, times * frames + 1, larger, 0, promised(h, times * frames + 1, larger)};
             n.price = (n.frames + before_frame_1) * larger * larger * h.pixels / pixels_of_64;
-            if (times == 1) last = n;
+            if (times == 1 && larger <= 2) last = n;
             const double apart = std::fabs(h.dgp.value - limit) - n.promised.bound;
             if (apart > 3 * n.promised.error && (!best || n.price < best->price)) best = n;
         }
