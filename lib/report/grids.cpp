@@ -92,7 +92,7 @@ GridNumber grid_number(const GridColumn& c, const std::vector<NoisyValues>& grid
     const auto percentile_at = [&](double share) {
         const auto of = [share](std::vector<double> x) { return uncertainty::percentile(std::move(x), share); };
         const double value = of(v.value);
-        return GridNumber{value, shifted_limits(v, alpha, value, of)};
+        return GridNumber{value, shifted_limits(v, alpha, value, std::min(share, 1 - share), of)};
     };
     const Interval mean = mean_limits(v, alpha);
     switch (c.kind) {
@@ -103,7 +103,7 @@ GridNumber grid_number(const GridColumn& c, const std::vector<NoisyValues>& grid
     case Kind::percentile: return percentile_at(c.argument);
     case Kind::share: {
         const auto of = [&](const std::vector<double>& x) { return uncertainty::share_from(x, c.argument); };
-        return {of(v.value), shifted_limits(v, alpha, c.argument, of)};
+        return {of(v.value), shifted_limits(v, alpha, c.argument, 0, of)};
     }
     case Kind::U0: {
         const Interval u = ratio(least_limits(v, alpha), mean, 1);

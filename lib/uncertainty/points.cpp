@@ -13,7 +13,8 @@
 namespace uncertainty {
 namespace {
 
-constexpr double prior_degrees = 8;
+constexpr double most_prior_degrees = 8;
+constexpr size_t least_scatter = 16;  // values whose scatter says how much their variances differ
 constexpr Interval unknown{NAN, NAN};
 
 // Variance of a value: of a mean of N frames from the means of groups of n_j, sum n_j (x_j - x)^2 / ((groups - 1) N).
@@ -41,6 +42,41 @@ double share_in_common(const NoisyValues& v, double at) {
     double variance = 0;
     for (size_t p = 0; p < v.parts.size(); ++p) variance += v.parts[p].first * together[p] * together[p];
     return apart > 0 ? std::min(1., variance / (apart * apart)) : 1;
+}
+
+// psi'(x), the variance of the logarithm of a gamma variate of shape x: of a chi square of 2x degrees of freedom.
+double trigamma(double x) { return 1 / x + 1 / (2 * x * x) + 1 / (6 * x * x * x); }
+
+// Degrees of freedom of the distribution from which relative variances come, each of which was estimated with `own`
+// degrees: the variance of their logarithms exceeds psi'(own/2) by psi'(degrees/2) (Smyth, Linear Models and Empirical
+// Bayes Methods, 2004, section 6.2), whose first two terms are solved here.
+double prior_degrees(const std::vector<double>& relative, double own) {
+    double sum = 0, squares = 0, n = 0;
+    for (const double r : relative)
+        if (r > 0) sum += std::log(r), squares += std::log(r) * std::log(r), n++;
+    if (n < 2) return 0;
+    if (n < least_scatter) return most_prior_degrees;
+    const double excess = (squares - sum * sum / n) / (n - 1) - trigamma(own / 2);
+    if (excess <= 0) return most_prior_degrees;
+    return std::min(most_prior_degrees, (1 + std::sqrt(1 + 2 * excess)) / excess);
+}
+
+// Standard errors by which blur may move a number down and up.  If values without noise are normal with k standard
+// errors, those with it have sqrt(1 + k^2), and a percentile is farther from the median by the difference times its
+// normal quantile.  k is that of the values beyond the median on the side of `at`, less two standard errors of its own.
+// At least 1 to either side: distributions are not normal.
+Interval blur_errors(const NoisyValues& v, double at, double tail) {
+    const double median = percentile(v.value, .5);
+    double spread = 0, noise = 0, n = 0;
+    for (size_t i = 0; i < v.value.size(); ++i) {
+        if ((v.value[i] < median) != (at < median)) continue;
+        spread += (v.value[i] - median) * (v.value[i] - median), noise += v.error[i] * v.error[i], n++;
+    }
+    if (!(noise > 0)) return {1, 1};
+    const double k2 = std::max(0.0, spread / noise * std::max(0.0, 1 - 2 * std::sqrt(2 / n)) - 1),
+                 quantile = student_quantile(2 * std::max(tail, .5 / double(v.value.size())), v.degrees),
+                 inward = std::max(1.0, quantile * (std::sqrt(1 + k2) - std::sqrt(k2)));
+    return at < median ? Interval{1, inward} : Interval{inward, 1};
 }
 
 Estimate estimate_mean(const std::vector<image::Part>& parts, size_t first, size_t count, double whole, double scale) {
@@ -84,7 +120,7 @@ NoisyValues noisy_values(const std::vector<image::Part>& parts, const float* who
         pooled += relative[i], lit++;
     }
     if (lit > 0) pooled /= lit;
-    const double own = double(parts.size() - 1), prior = lit > 1 ? prior_degrees : 0;
+    const double own = double(parts.size() - 1), prior = prior_degrees(relative, own);
     for (size_t i = 0; i < count; ++i)
         out.error.push_back(std::fabs(out.value[i]) * std::sqrt((own * relative[i] + prior * pooled) / (own + prior)));
     out.degrees = own + prior;
@@ -104,16 +140,19 @@ Interval mean_limits(const NoisyValues& v, double alpha) {
     return {v.mean.value + off.low, v.mean.value + off.high};
 }
 
-Interval shifted_limits(const NoisyValues& v, double alpha, double at,
+Interval shifted_limits(const NoisyValues& v, double alpha, double at, double tail,
                         const std::function<double(std::vector<double>)>& of) {
     if (v.degrees <= 0) return unknown;
     const double t = student_quantile(alpha, v.degrees), common = share_in_common(v, at);
-    const double blur = t / student_quantile(.05, v.degrees);  // 1 at 95 %
-    const double errors = std::sqrt(1 - common) * blur + std::sqrt(common) * t;
+    const Interval blur = blur_errors(v, at, tail);
+    const auto errors = [&](double blurred) {  // blur is of 95 %
+        return std::sqrt(1 - common) * blurred * t / student_quantile(.05, v.degrees) + std::sqrt(common) * t;
+    };
+    const double down = errors(blur.low), up = errors(blur.high);
     std::vector<double> low, high;
     for (size_t i = 0; i < v.value.size(); ++i) {
-        low.push_back(v.value[i] - errors * v.error[i]);
-        high.push_back(v.value[i] + errors * v.error[i]);
+        low.push_back(v.value[i] - down * v.error[i]);
+        high.push_back(v.value[i] + up * v.error[i]);
     }
     return {of(std::move(low)), of(std::move(high))};
 }

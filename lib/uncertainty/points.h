@@ -4,11 +4,12 @@
 // limit is off where many values lie near it.  So only the mean's interval comes from its own scatter; the other
 // intervals come from values that are shifted by their errors.
 //
-// Errors of many values cancel in a share or percentile, and their blur moves it by up to one standard error; where one
-// value decides, its own t standard errors count.  Between them: of the errors e_i of values near the number, with
-// weights w_i of the normal density of their distance from it, r^2 = var(sum w_i e_i) / (sum w_i s_i)^2 among parts is
-// the share that does not cancel (1 for one value, or for errors that all have in common; 1/n for n independent ones),
-// and values are shifted by sqrt(1 - r^2) + t r standard errors: blur and noise.
+// Errors of many values cancel in a share or percentile, and their blur moves it by up to one standard error, or more
+// where values differ by less than their errors (blur_errors in points.cpp); where one value decides, its own t
+// standard errors count.  Between them: of the errors e_i of values near the number, with weights w_i of the normal
+// density of their distance from it, r^2 = var(sum w_i e_i) / (sum w_i s_i)^2 among parts is the share that does not
+// cancel (1 for one value, or for errors that all have in common; 1/n for n independent ones), and values are shifted
+// by sqrt(1 - r^2) + t r standard errors: blur and noise.
 #pragma once
 #include <functional>
 #include <utility>
@@ -28,8 +29,8 @@ struct NoisyValues {
     std::vector<std::pair<double, std::vector<float>>> parts;
 };
 
-// whole: their mean over all frames.  A value's relative variance among parts is drawn toward the mean of all, with the
-// weight of 8 degrees of freedom (an empirical Bayes estimate; sixteen parts alone cover too seldom).
+// whole: their mean over all frames.  A value's relative variance among parts is drawn toward the mean of all (sixteen
+// parts alone cover too seldom), with the weight of up to 8 degrees of freedom: of fewer, the more variances differ.
 NoisyValues noisy_values(const std::vector<image::Part>& parts, const float* whole, size_t first, size_t count,
                          double scale);
 
@@ -37,7 +38,8 @@ NoisyValues noisy_values(const std::vector<image::Part>& parts, const float* who
 Interval point_limits(const NoisyValues& values, size_t i, double alpha);
 Interval mean_limits(const NoisyValues& values, double alpha);
 // Limits of a function that rises with each value and hangs on those near `at`: a percentile, the share above a limit.
-Interval shifted_limits(const NoisyValues& values, double alpha, double at,
+// tail: the share of values beyond it, at most a half; 0: of none.
+Interval shifted_limits(const NoisyValues& values, double alpha, double at, double tail,
                         const std::function<double(std::vector<double>)>& of);
 // The least value lies above the least lower limit and below the least upper limit, where limits hold for all values
 // together (Bonferroni); the greatest likewise.
