@@ -34,6 +34,7 @@ part metrics.sh env REFERENCE=384 SEEDS=5 "$bench/metrics.sh" "$bin"
 part mitsuba.sh env REFERENCE=512 SEEDS=3 "$bench/mitsuba.sh" "$bin"
 part nobias.sh env FRAMES=64 "$bench/nobias.sh" "$bin"
 part frames.sh "$bench/frames.sh" "$bin"
+part startup.sh env RUNS=3 "$bench/startup.sh" "$bin"
 part scale.sh env RUNS=1 TRIANGLES='1000 100000' "$bench/scale.sh" "$bin"
 part points.sh env POINTS='100 10000' "$bench/points.sh" "$bin"
 exit $failed
