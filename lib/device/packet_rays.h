@@ -18,7 +18,7 @@ struct PacketRays {
     uint32_t kind = 0;             // of the open ones
     float tmin = 0.0f;
     // by ray: origin, direction, 1/direction, shear (WoopRay), how far it looks
-    alignas(32) float org[3][PACKET], dir[3][PACKET], inv[3][PACKET], s[3][PACKET], t[PACKET];
+    alignas(32) float org[3][PACKET], dir[3][PACKET], inv[3][PACKET], s[2][PACKET], t[PACKET];
     uint32_t kinds[PACKET];  // signs, a bit each, and the longest axis << 3
 };
 
@@ -43,7 +43,6 @@ FN void packet_prepare(PacketRays& p) {
         p.inv[0][i] = inv.x, p.inv[1][i] = inv.y, p.inv[2][i] = inv.z;
         p.s[0][i] = (long_x ? y : long_y ? z : x) / along;
         p.s[1][i] = (long_x ? z : long_y ? x : y) / along;
-        p.s[2][i] = 1.0f / along;
         p.kinds[i] = (inv.x < 0.0f ? 1u : 0u) | (inv.y < 0.0f ? 2u : 0u) | (inv.z < 0.0f ? 4u : 0u) |
                      (long_x   ? 0u
                       : long_y ? 1u << 3
@@ -188,7 +187,11 @@ FN bool packet_inside(const PacketRays& p, uint32_t g, const float* b, PacketIns
     met.in &= met.det != 0.0f;
     if (lanes8_(met.in) == 0) return false;
 
-    met.t = (wa * az + wb * bz + wc * cz) * load8_(p.s[2] + 8 * g) / met.det;
+    float3 corner;
+    const float3 n = triangle_normal(bvh8_corner(b, 0), bvh8_corner(b + 12, 0), bvh8_corner(b + 24, 0), &corner);
+    const auto at = [&](const float* v) { return load8_(v + 8 * g); };
+    met.t = (n.x * (corner.x - at(p.org[0])) + n.y * (corner.y - at(p.org[1])) + n.z * (corner.z - at(p.org[2]))) /
+            (n.x * at(p.dir[0]) + n.y * at(p.dir[1]) + n.z * at(p.dir[2]));
     met.wb = wb;
     met.wc = wc;
     return true;

@@ -33,6 +33,8 @@ FN void bvh8_push(PRIVATE(Bvh8Stack) stack, int bottom, uint ref, float t) {  //
     stack->t[i] = t;
 }
 
+FN float3 bvh8_corner(GLOBAL const float* b, uint k) { return F3(b[k], b[4u + k], b[8u + k]); }
+
 // Four triangles; 1 if one of them became the nearest hit.
 FN int bvh8_triangles(GLOBAL const float* b, PRIVATE(const WoopRay) r, uint mask, uint inst, PRIVATE(Look) look) {
     v4f az = load4_(b + 4u * r->kz) - r->oz, bz = load4_(b + 12u + 4u * r->kz) - r->oz;
@@ -43,24 +45,21 @@ FN int bvh8_triangles(GLOBAL const float* b, PRIVATE(const WoopRay) r, uint mask
     v4f cx = (load4_(b + 24u + 4u * r->kx) - r->ox) - r->sx * cz,
         cy = (load4_(b + 24u + 4u * r->ky) - r->oy) - r->sy * cz;
     v4f wa = cx * by - cy * bx, wb = ax * cy - ay * cx, wc = bx * ay - by * ax;
-    v4f det = wa + wb + wc, t;
+    v4f det = wa + wb + wc;
     v4i inside = ((wa >= 0.0f) & (wb >= 0.0f) & (wc >= 0.0f)) | ((wa <= 0.0f) & (wb <= 0.0f) & (wc <= 0.0f));
     LaneMask m = lanes4_(inside & (det != 0.0f));
-    float ts[4], us[4], vs[4];
+    float us[4], vs[4];
     int found = 0;
     if (m == 0u) return 0;
-    t = (wa * az + wb * bz + wc * cz) * r->sz / det;
-    m = lanes4_(inside & (det != 0.0f) & (t > look->from) & (t <= look->limit));
-    if (m == 0u) return 0;
-    store4_(t, ts);
     store4_(wb / det, us);
     store4_(wc / det, vs);
 
-    while (m != 0u) {
+    for (; m != 0u; m = lane_drop_(m, lane_first_(m))) {
         uint k = lane_first_(m);
         uint id = as_uint_(b[BVH8_IDS + k]);
-        m = lane_drop_(m, k);
-        if (((mask >> (id >> 31)) & 1u) != 0u && hit_offer(look, ts[k], id & ID_PRIM, us[k], vs[k], inst)) found = 1;
+        if (((mask >> (id >> 31)) & 1u) == 0u) continue;
+        float t = triangle_distance(r, bvh8_corner(b, k), bvh8_corner(b + 12, k), bvh8_corner(b + 24, k));
+        if (t > look->from && t <= look->limit && hit_offer(look, t, id & ID_PRIM, us[k], vs[k], inst)) found = 1;
     }
 
     return found;

@@ -12,7 +12,7 @@ STRUCT(WoopRay) {
     float3 org, dir, inv;
     uint kx, ky, kz;   // kz: longest axis of dir
     float ox, oy, oz;  // origin in the order kx ky kz
-    float sx, sy, sz;  // shear
+    float sx, sy;      // shear
 };
 
 // Slabs parallel to the ray: a large finite slope, because 0 times infinity is not a number.
@@ -29,10 +29,28 @@ FN void woop_prepare(float3 org, float3 dir, PRIVATE(WoopRay) r) {
     r->ox = axis3(org, r->kx);
     r->oy = axis3(org, r->ky);
     r->oz = axis3(org, r->kz);
-    r->sz = axis3(dir, r->kz);
-    r->sx = axis3(dir, r->kx) / r->sz;
-    r->sy = axis3(dir, r->ky) / r->sz;
-    r->sz = 1.0f / r->sz;
+    r->sx = axis3(dir, r->kx) / axis3(dir, r->kz);
+    r->sy = axis3(dir, r->ky) / axis3(dir, r->kz);
+}
+
+// The normal of a triangle, of any length, and a corner.  From its two shorter edges, whose cross product rounds least.
+FN float3 triangle_normal(float3 a, float3 b, float3 c, PRIVATE(float3) corner) {
+    float3 ab = sub3(b, a), bc = sub3(c, b), ca = sub3(a, c);
+    float to_b = dot3(ab, ab), to_c = dot3(bc, bc), to_a = dot3(ca, ca);
+    if (to_c >= to_b && to_c >= to_a) {
+        *corner = a;
+        return cross3(ca, ab);
+    }
+    *corner = to_a >= to_b ? b : c;
+    return to_a >= to_b ? cross3(ab, bc) : cross3(bc, ca);
+}
+
+// Distance to a triangle's plane.  By the weights of its corners it would be wrong by 2^-24 L^2/w in a triangle of
+// length L that the ray sees w wide: further than rays start from a surface, for a slat.
+FN float triangle_distance(PRIVATE(const WoopRay) r, float3 a, float3 b, float3 c) {
+    float3 corner;
+    float3 n = triangle_normal(a, b, c, &corner);
+    return dot3(n, sub3(corner, r->org)) / dot3(n, r->dir);
 }
 
 // Triangle a b c; t, u (of b), v (of c) if the ray's line meets it.  bvh8.h has the same in four lanes, step by step.
@@ -46,7 +64,7 @@ FN int woop_triangle(PRIVATE(const WoopRay) r, float3 a, float3 b, float3 c, PRI
     float det = wa + wb + wc;
     if ((wa < 0.0f || wb < 0.0f || wc < 0.0f) && (wa > 0.0f || wb > 0.0f || wc > 0.0f)) return 0;
     if (det == 0.0f) return 0;
-    *t = (wa * az + wb * bz + wc * cz) * r->sz / det;
+    *t = triangle_distance(r, a, b, c);
     *u = wb / det;
     *v = wc / det;
     return 1;
