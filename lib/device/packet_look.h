@@ -9,8 +9,8 @@ constexpr uint32_t LOOK_NODES = 3;  // a ray; where a packet has to ask more, it
 // Returns the given rays that a shape of these classes stops: in lanes 8 g ... 8 g + 7, or one by one.
 FN uint32_t packet_met(const PacketRays& p, uint32_t rays, const float* triangle) {
     uint32_t met = 0;
+    PacketInside at;
     for (uint32_t g = 0; 8 * g < p.count; g++) {
-        PacketInside at;
         if ((rays >> 8 * g & 255u) == 0 || !packet_inside(p, g, triangle, at)) continue;
         met |= lane_bits_(lanes8_(at.in & (at.t > p.tmin) & (at.t < load8_(p.t + 8 * g)))) << 8 * g;
     }

@@ -171,6 +171,8 @@ FN uint32_t packet_box(const PacketRays& p, const float* boxes, uint32_t wide, u
 struct PacketInside {
     v8i in;
     v8f wb, wc, det, t;
+    float3 normal, corner;
+    bool has_plane = false;  // of this triangle
 };
 FN bool packet_inside(const PacketRays& p, uint32_t g, const float* b, PacketInside& met) {
     const uint32_t z = p.kind >> 3, x = z == 2u ? 0u : z + 1u, y = x == 2u ? 0u : x + 1u;
@@ -187,8 +189,10 @@ FN bool packet_inside(const PacketRays& p, uint32_t g, const float* b, PacketIns
     met.in &= met.det != 0.0f;
     if (lanes8_(met.in) == 0) return false;
 
-    float3 corner;
-    const float3 n = triangle_normal(bvh8_corner(b, 0), bvh8_corner(b + 12, 0), bvh8_corner(b + 24, 0), &corner);
+    if (!met.has_plane)
+        met.normal = triangle_normal(bvh8_corner(b, 0), bvh8_corner(b + 12, 0), bvh8_corner(b + 24, 0), &met.corner);
+    met.has_plane = true;
+    const float3 n = met.normal, corner = met.corner;
     const auto at = [&](const float* v) { return load8_(v + 8 * g); };
     met.t = (n.x * (corner.x - at(p.org[0])) + n.y * (corner.y - at(p.org[1])) + n.z * (corner.z - at(p.org[2]))) /
             (n.x * at(p.dir[0]) + n.y * at(p.dir[1]) + n.z * at(p.dir[2]));

@@ -8,8 +8,7 @@ struct Packet : PacketRays {
 };
 
 // Tests rays 8 g ... 8 g + 7 against triangle k of a block.  Returns the mask of `rays` that now hit nearer.
-FN uint32_t packet_triangle(Packet& p, uint32_t g, uint32_t rays, const float* b, uint32_t id) {
-    PacketInside met;
+FN uint32_t packet_triangle(Packet& p, uint32_t g, uint32_t rays, const float* b, uint32_t id, PacketInside& met) {
     if (!packet_inside(p, g, b, met)) return 0;
     LaneMask lanes = lanes8_(met.in & (met.t > p.tmin) & (met.t <= load8_(p.t + 8 * g)));
     if (lanes == 0) return 0;
@@ -59,8 +58,9 @@ FN uint32_t packet_leaf(const SceneTables& s, Packet& p, const float* block, uin
                     if (packet_shape(s, p, i, as_uint_(block[k]), id, mask)) look_less_far(1u << i);
                 }
             } else if ((mask >> (id >> 31) & 1u) != 0 && !packet_no_triangle(block + k)) {
+                PacketInside met;
                 for (uint32_t g = 0; 8 * g < p.count; g++)
-                    if ((rays >> 8 * g & 255u) != 0) look_less_far(packet_triangle(p, g, rays, block + k, id));
+                    if ((rays >> 8 * g & 255u) != 0) look_less_far(packet_triangle(p, g, rays, block + k, id, met));
             }
         }
         if ((first & ID_LAST) != 0) return found;

@@ -33,16 +33,16 @@ FN void woop_prepare(float3 org, float3 dir, PRIVATE(WoopRay) r) {
     r->sy = axis3(dir, r->ky) / axis3(dir, r->kz);
 }
 
-// The normal of a triangle, of any length, and a corner.  From its two shorter edges, whose cross product rounds least.
+// The normal of a triangle, of any length, and a corner on its plane.  Of two long edges of a slat the cross product
+// would be wrong, so the corner is that of a and b that is nearer to c.
 FN float3 triangle_normal(float3 a, float3 b, float3 c, PRIVATE(float3) corner) {
-    float3 ab = sub3(b, a), bc = sub3(c, b), ca = sub3(a, c);
-    float to_b = dot3(ab, ab), to_c = dot3(bc, bc), to_a = dot3(ca, ca);
-    if (to_c >= to_b && to_c >= to_a) {
-        *corner = a;
-        return cross3(ca, ab);
+    float3 ab = sub3(b, a), side = sub3(c, a), other = sub3(c, b);
+    *corner = a;
+    if (dot3(other, other) < dot3(side, side)) {
+        *corner = b;
+        side = other;
     }
-    *corner = to_a >= to_b ? b : c;
-    return to_a >= to_b ? cross3(ab, bc) : cross3(bc, ca);
+    return cross3(ab, side);
 }
 
 // Distance to a triangle's plane.  By the weights of its corners it would be wrong by 2^-24 L^2/w in a triangle of
