@@ -117,8 +117,9 @@ TEST_CASE("hits after a given one come in their order") {
     }
 }
 
-// The plane's distance from double coordinates.  Rays begin beside the long edges of thin slats that lie askew, as those
-// that leave a slat's neighbouring face do: what lies behind them must not seem to lie before them (offset_ray.h).
+// The plane's distance from double coordinates.  Rays begin beside the long edges of thin slats that lie askew, as
+// those that leave a slat's neighbouring face do: what lies behind them must not seem to lie before them
+// (offset_ray.h).
 TEST_CASE("the distance to a triangle is its plane's, however thin it is") {
     bvh_scenes::Random random(47);
     for (double thin : {1e-1, 1e-3, 1e-5}) {
@@ -126,8 +127,9 @@ TEST_CASE("the distance to a triangle is its plane's, however thin it is") {
         for (int k = 0; k < 200; k++) {
             const Vec along = random.direction() * 3, across = unit(cross(along, random.direction())) * (3 * thin);
             const Vec corner = random.point(2), a = corner, b = corner + along, c = corner + along + across;
-            const kernels::float3 p[3] = {F3(float(a.x), float(a.y), float(a.z)), F3(float(b.x), float(b.y), float(b.z)),
-                                 F3(float(c.x), float(c.y), float(c.z))};
+            const kernels::float3 p[3] = {F3(float(a.x), float(a.y), float(a.z)),
+                                          F3(float(b.x), float(b.y), float(b.z)),
+                                          F3(float(c.x), float(c.y), float(c.z))};
             const Vec v[3] = {{p[0].x, p[0].y, p[0].z}, {p[1].x, p[1].y, p[1].z}, {p[2].x, p[2].y, p[2].z}};
             const Vec normal = unit(cross(v[1] - v[0], v[2] - v[1]));
             for (int i = 0; i < 200; i++) {

@@ -2,8 +2,8 @@
 // Ray prepared for traversal, and the watertight test of one triangle.
 // Triangles: Woop, Benthin, Wald 2013, "Watertight Ray/Triangle Intersection": the triangle is sheared into the space
 // where the ray is the z axis; neighbours compute the same bits for their common edge, and points on an edge (0) belong
-// to both.  The distance is that of the triangle's plane.  Boxes: slabs with the far side widened, Ize 2013, "Robust BVH
-// Ray Traversal".  Needs strict floating point.
+// to both.  The distance is that of the triangle's plane.  Boxes: slabs with the far side widened, Ize 2013, "Robust
+// BVH Ray Traversal".  Needs strict floating point.
 #ifndef LUX_WOOP_H
 #define LUX_WOOP_H
 
