@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # How often the intervals of grids of sensors hold the truth, in rooms of make_room.py: of points, and of numbers of a
 # grid over the floor and of one on the desk.  Frames are traced once and kept; vcmetrics of another build may measure
-# them under another -label.  The truth for odd seeds is the mean of all even ones and the other way round.
+# them under another -label.  The truth for odd seeds is the mean of all even ones and the other way round.  Frames of
+# few points are independent (64 samples of a net each), so that -cuts makes four runs of 16 frames of one of 64.
 import argparse, concurrent.futures, math, os, re, statistics, subprocess
 from make_room import Room
 from report import rate
@@ -26,6 +27,7 @@ def options():
     p.add_argument('-points', type=int, default=200, help='over the floor')
     p.add_argument('-measure', help='ptaccum and vcmetrics of another build')
     p.add_argument('-label', default='now', help='a name for how it is measured')
+    p.add_argument('-cuts', action='store_true', help='also the runs of 16, 32, 64 frames that follow in a stream')
     p.add_argument('-jobs', type=int, default=1)
     return p.parse_args()
 
@@ -111,7 +113,7 @@ class Study:
 
     def measure(self, seed, words, out):
         """What vcmetrics says on stderr."""
-        frames = subprocess.Popen([os.path.join(self.measuring, 'ptaccum'), '%d.lux' % seed], cwd=self.folder,
+        frames = subprocess.Popen([os.path.join(self.measuring, 'ptaccum'), '%s.lux' % seed], cwd=self.folder,
                                   stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
         done = run([os.path.join(self.measuring, 'vcmetrics'), '-W-', '-ci', '95'] + words, self.folder, out,
                    frames.stdout)
@@ -121,6 +123,25 @@ class Study:
 
     def each(self, seed, out, words):
         return self.measure(seed, ['-each', *self.points, *words], self.file(out))
+
+    def cut(self, seed, first, n):
+        """Frames first .. first + n - 1 as a stream of their own."""
+        with open(self.file('%d.lux' % seed), 'rb') as f:
+            pictures = f.read().split(b'#?RADIANCE')[1:]
+        name = '%d.cut' % seed
+        with open(self.file(name + '.lux'), 'wb') as f:
+            for k, picture in enumerate([pictures[0]] + pictures[first:first + n]):
+                head, pixels = picture.split(b'\n\n', 1)
+                head = re.sub(rb'\nLASTFRAME=\d+', b'\nLASTFRAME=%d' % n, head)
+                f.write(b'#?RADIANCE' + re.sub(rb'\nFRAME=\d+', b'\nFRAME=%d' % k, head) + b'\n\n' + pixels)
+        return name
+
+    def measure_cuts(self, seed):
+        for n in LOOKS:
+            for first in range(n + 1, self.o.frames - n + 2, n):
+                name, at = self.cut(seed, first, n), '%d.%d' % (n, first)
+                self.measure(name, ['-metrics', ','.join(self.columns)], self.file(self.table_of(seed, at + '.all')))
+                self.each(name, self.table_of(seed, at), [])
 
     def table_of(self, seed, look):
         return os.path.join(self.o.label, '%d.%s.tsv' % (seed, look))
@@ -134,6 +155,8 @@ class Study:
         for n in LOOKS:
             if n <= self.o.frames:
                 self.each(seed, self.table_of(seed, n), ['-max-frames', str(n)])
+        if self.o.cuts:
+            self.measure_cuts(seed)
         said = self.each(seed, self.table_of(seed, 'each'), ['-until', self.rule])
         with open(done, 'w') as f:
             f.write(re.search(r'after (\d+) frames', said).group(1))
@@ -143,7 +166,12 @@ class Study:
         rows = {int(r['frame']): r for r in table(self.file(self.table_of(seed, 'all')))}
         each = {n: table(self.file(self.table_of(seed, n))) for n in LOOKS if n in rows}
         each[STOP] = table(self.file(self.table_of(seed, 'each')))
-        return {n: (rows[n or stop], each[n]) for n in each}, stop
+        runs = {n: [(rows[n or stop], each[n])] for n in each}
+        for n in runs:
+            at = lambda: self.file(self.table_of(seed, '%d.%d' % (n, 1 + n * len(runs[n]))))
+            while n and os.path.exists(at()):
+                runs[n].append((table(at()[:-4] + '.all.tsv')[-1], table(at())))
+        return runs, stop
 
     def seeds_there(self):
         return sorted(int(f.split('.')[0]) for f in os.listdir(self.tables) if f.endswith('.stop.tsv'))
@@ -183,7 +211,7 @@ class Cell:
 def judge(study, seeds):
     runs = {s: study.read(s) for s in seeds}
     frames = {s: max(run) for s, (run, _) in runs.items()}
-    last = {s: [(r['grid'], float(r['E'])) for r in run[frames[s]][1]] for s, (run, _) in runs.items()}
+    last = {s: [(r['grid'], float(r['E'])) for r in run[frames[s]][0][1]] for s, (run, _) in runs.items()}
     cells = {}
     for parity in 0, 1:
         others = [s for s in seeds if s % 2 != parity]
@@ -192,7 +220,7 @@ def judge(study, seeds):
                  for column in zip(*(last[s] for s in others))]
         exact = numbers(study, truth)
         for seed in [s for s in seeds if s % 2 == parity]:
-            for look, (row, each) in runs[seed][0].items():
+            for look, row, each in [(n, *one) for n, of in runs[seed][0].items() for one in of]:
                 for c in study.columns:
                     cells.setdefault((c, look), Cell()).add(*(float(row[c + e]) for e in ('', '.lo', '.hi')), exact[c])
                 for k, (r, (_, e)) in enumerate(zip(each, truth)):
