@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # The plan beside the picture, while ptrace renders: browser_plan.py LINK
 #   LINK: what vcview printed.
-import json, re, sys
+import json, os, re, sys
 from selenium.webdriver.common.keys import Keys
 from browser_page import Page, check, link_in, soon
 
@@ -39,6 +39,11 @@ page.type('#plan-limit', '-3')
 check('a wrong limit is refused', soon(lambda: not page.js('document.getElementById("plan-limit").validity.valid')))
 check('and changes nothing', state()['limit'] == 2000)
 page.type('#plan-limit', '2000')
+
+page.chrome.execute_cdp_cmd('Browser.setDownloadBehavior', {'behavior': 'allow', 'downloadPath': os.getcwd()})
+page.menu('Save')
+page.click('#save-plan')
+check('the map is saved', soon(lambda: os.path.exists('plan.svg') and open('plan.svg').read().endswith('</svg>\n')))
 
 day = mean()
 page.keys('#skies label:nth-of-type(2) input', *[Keys.ARROW_RIGHT] * 8)

@@ -1,6 +1,7 @@
 // The plan: maps of points as vcview has them drawn, and a row of numbers for each grid, in lx.
 import { ask, Lost, post } from '/net.js';
 import { alike } from '/picture.js';
+import { offer } from '/save.js';
 import { fill, keep, row_of } from '/table.js';
 
 const $ = (id) => document.getElementById(id);
@@ -23,6 +24,7 @@ export class Plan {
       $('plan-limit').reportValidity();
     });
     $('plan-panel').addEventListener('toggle', () => this.fetch());
+    $('save-plan').addEventListener('click', () => offer('plan.svg', this.drawn.map, 'image/svg+xml'));
   }
 
   // { number, limit, edit, waits, ended }, or null.  number: of what can be drawn; edit: that of the model at hand.
@@ -81,5 +83,6 @@ export class Plan {
     if (before) setTimeout(() => URL.revokeObjectURL(before), 1000);
     this.url = url;
     document.body.dataset.plan = drawn.number;
+    $('save-plan').hidden = false;
   }
 }

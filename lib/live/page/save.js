@@ -4,7 +4,7 @@ import { element } from '/plot.js';
 
 const $ = (id) => document.getElementById(id);
 
-function offer(name, data, type) {
+export function offer(name, data, type) {
   const link = document.createElement('a');
   link.href = URL.createObjectURL(new Blob([data], { type }));
   link.download = name;
