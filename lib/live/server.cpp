@@ -74,11 +74,12 @@ struct Server::State {
     std::mutex looking;  // at what other pipes do
     std::optional<Day> day;
     std::optional<Plan> plan;
-    Against against;
+    std::optional<Against> against;
 
-    State(Live& l, const ServerOptions& o) : live(l), options(o), against(o.against, l) {
+    State(Live& l, const ServerOptions& o) : live(l), options(o) {
         live.change([&](Design& d) { d.texts.resize(files.size()); });
         design.emplace(options.design, files, live);
+        against.emplace(options.against, live);  // over the base of the design
         offer_views(options.views, live);
         day.emplace(options.day, options.hours, files, live);
         plan.emplace(options.plan, files, live);
@@ -103,7 +104,7 @@ struct Server::State {
             end_preview(to);
             design->look();
             look_at_pipes(false);
-            against.say();
+            against->say();
             lock.lock();
             if (!changed && Clock::now() - woken < longest_wait / 4) continue;
             woken = Clock::now();
