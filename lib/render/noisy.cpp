@@ -12,6 +12,7 @@ using namespace kernels;
 
 namespace {
 constexpr uint32_t coarse = 4;                      // side in pixels of the blocks in which a few paths are traced
+constexpr uint32_t enough_pixels = 1u << 17;        // above them blocks of pixels have the pilots of one
 constexpr uint32_t paths = 4;                       // of each block
 constexpr uint32_t samples_first = (3u << 30) + 1;  // numbers of the samples, which no frame uses
 constexpr float as_if_normal = 1.45f;               // standard over mean absolute deviation of four normal samples
@@ -50,12 +51,24 @@ std::vector<float> smoothed(const std::vector<float>& values, int nx, int ny) {
     return out;
 }
 
+// A picture of blocks of pixels.
+struct Blocks {
+    device::Params params;
+    int nx, ny;  // of blocks
+    Blocks(const device::Params& of, uint32_t side)
+        : params(of), nx(int((of.nx + side - 1) / side)), ny(int((of.ny + side - 1) / side)) {
+        params.nx = uint32_t(nx), params.ny = uint32_t(ny);
+    }
+    float at_pixel(const std::vector<float>& values, const device::Params& of, uint32_t x, uint32_t y) const {
+        return values[size_t(y * uint32_t(ny) / of.ny) * size_t(nx) + x * uint32_t(nx) / of.nx];
+    }
+};
+
 // Mean absolute deviation of the diffuse light of single paths, by block.  Not the root mean square, which one bright
 // path of four would dominate.
-std::vector<float> diffuse_deviation(device::Device& device, device::Params p, int nx, int ny) {
-    p.nx = uint32_t(nx), p.ny = uint32_t(ny);
-    const std::vector<float> light = sampled(device, p, MODE_FRAMES, paths);
-    std::vector<float> deviation(size_t(nx) * ny);
+std::vector<float> diffuse_deviation(device::Device& device, const Blocks& blocks) {
+    const std::vector<float> light = sampled(device, blocks.params, MODE_FRAMES, paths);
+    std::vector<float> deviation(light.size() / paths);
     for (size_t block = 0; block < deviation.size(); block++) {
         const float* of = &light[paths * block];
         float mean = 0, off = 0;
@@ -63,18 +76,18 @@ std::vector<float> diffuse_deviation(device::Device& device, device::Params p, i
         for (uint32_t k = 0; k < paths; k++) off += std::fabs(of[k] - mean) / paths;
         deviation[block] = as_if_normal * off;
     }
-    return smoothed(deviation, nx, ny);
+    return smoothed(deviation, blocks.nx, blocks.ny);
 }
 
-// Variance of the direct light of single samples, from two samples of each pixel and its neighbours.
-std::vector<float> direct_variance(device::Device& device, const device::Params& base) {
-    const std::vector<float> light = sampled(device, base, MODE_DIRECT, 2);
+// Variance of the direct light of single samples, from two samples of each block and its neighbours.
+std::vector<float> direct_variance(device::Device& device, const Blocks& blocks) {
+    const std::vector<float> light = sampled(device, blocks.params, MODE_DIRECT, 2);
     std::vector<float> variance(light.size() / 2);
     for (size_t i = 0; i < variance.size(); i++) {
         const float off = light[2 * i] - light[2 * i + 1];
         variance[i] = off * off / 2;
     }
-    return smoothed(variance, int(base.nx), int(base.ny));
+    return smoothed(variance, blocks.nx, blocks.ny);
 }
 
 // The power of two nearest to the ratio, within limits.
@@ -87,15 +100,15 @@ uint32_t spp_for(float deviation, float of_one) {
 }  // namespace
 
 std::vector<uint32_t> spp_of_noisy(device::Device& device, const device::Params& base, double share) {
-    const int nx = int(base.nx), ny = int(base.ny), wide = (nx + int(coarse) - 1) / int(coarse),
-              high = (ny + int(coarse) - 1) / int(coarse);
-    const std::vector<float> diffuse = diffuse_deviation(device, base, wide, high);
-    std::vector<float> deviation = direct_variance(device, base);
-    for (int y = 0; y < ny; y++)
-        for (int x = 0; x < nx; x++) {
-            const float d = diffuse[size_t(y * high / ny) * wide + x * wide / nx];
-            float& both = deviation[size_t(y) * nx + x];
-            both = std::sqrt(both + d * d);
+    const uint32_t side = base.nx * base.ny > enough_pixels ? 2 : 1;
+    const Blocks of_direct(base, side), of_diffuse(base, side * coarse);
+    const std::vector<float> diffuse = diffuse_deviation(device, of_diffuse),
+                             direct = direct_variance(device, of_direct);
+    std::vector<float> deviation;
+    for (uint32_t y = 0; y < base.ny; y++)
+        for (uint32_t x = 0; x < base.nx; x++) {
+            const float d = of_diffuse.at_pixel(diffuse, base, x, y);
+            deviation.push_back(std::sqrt(of_direct.at_pixel(direct, base, x, y) + d * d));
         }
 
     // The deviation for which one sample is due, such that the total is reached.

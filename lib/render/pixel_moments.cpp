@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <numeric>
 
 #include "image/grey.h"
 
@@ -18,24 +20,25 @@ constexpr double clear = 3;                                      // standard err
 constexpr double rounding = 1e-6;                                // of the squared mean
 constexpr double sunny = 5e5 / image::lumens_per_watt;           // in grey: no lamp is so bright
 constexpr double few = 16;                                       // hits that decide little
-constexpr uint32_t enough = 1u << 20, least_places = 16, most_places = 256;  // places: of all pixels; of one
-constexpr size_t pixels_at_once = 1u << 14;                                  // pixels
+constexpr double much = 1. / 16384;                              // of the picture's squared light
+constexpr size_t samples_at_once = 1u << 18;                     // pairs
 
-// Pixels whose samples in frame 0 differ, and their neighbours: the samples may have missed a small bright thing there.
-std::vector<uint32_t> uneven_pixels(const FrameZero& zero, int nx, int ny) {
-    std::vector<bool> chosen(zero.spread.size());
-    for (int y = 0; y < ny; y++)
-        for (int x = 0; x < nx; x++) {
-            const size_t i = size_t(y) * size_t(nx) + size_t(x);
-            const double deviation = std::sqrt(double(zero.spread[i]));
-            if (deviation < least_deviation || deviation < least_share * grey(&zero.mean[3 * i])) continue;
-            for (int v = std::max(0, y - 1); v <= std::min(ny - 1, y + 1); v++)
-                for (int u = std::max(0, x - 1); u <= std::min(nx - 1, x + 1); u++)
-                    chosen[size_t(v) * size_t(nx) + size_t(u)] = true;
-        }
-    std::vector<uint32_t> out;
-    for (size_t i = 0; i < chosen.size(); i++)
-        if (chosen[i]) out.push_back(uint32_t(i));
+// Places in a pixel that decides glare, of a picture of so many pixels: where they are few, a pixel holds much of the
+// light, and samples cost little.
+uint32_t most_places(size_t pixels) {
+    constexpr size_t enough = 1u << 20;  // of all pixels
+    uint32_t n = 16;
+    while (n < 256 && 2 * n * pixels <= enough) n *= 2;
+    return n;
+}
+
+// Pixels whose variance is much of the squared light, which is what glare sums.
+std::vector<bool> glaring_pixels(const FrameZero& zero) {
+    double squares = 0;
+    for (size_t i = 0; i < zero.spread.size(); i++)
+        squares += std::pow(grey(&zero.mean[3 * i]), 2) + double(zero.spread[i]);
+    std::vector<bool> out;
+    for (const float v : zero.spread) out.push_back(double(v) > much * squares);
     return out;
 }
 
@@ -118,29 +121,47 @@ void add_drawn(const FrameZero& zero, size_t i, float* moments) {
 }
 }  // namespace
 
-uint32_t places_of(uint32_t pixels) {
-    uint32_t n = least_places;
-    while (n < most_places && 2 * n * pixels <= enough) n *= 2;
-    return n;
+std::vector<uint32_t> places_of_pixels(const FrameZero& zero, int nx, int ny) {
+    const uint32_t most = most_places(zero.spread.size()), least = std::max(4u, most / 16);
+    const std::vector<bool> glares = glaring_pixels(zero);
+    std::vector<uint32_t> places(zero.spread.size(), 0);
+    for (int y = 0; y < ny; y++)
+        for (int x = 0; x < nx; x++) {
+            const size_t i = size_t(y) * size_t(nx) + size_t(x);
+            const double deviation = std::sqrt(double(zero.spread[i]));
+            if (deviation < least_deviation || deviation < least_share * grey(&zero.mean[3 * i])) continue;
+            // Around it, too: the samples may have missed a small bright thing there.
+            for (int v = std::max(0, y - 1); v <= std::min(ny - 1, y + 1); v++)
+                for (int u = std::max(0, x - 1); u <= std::min(nx - 1, x + 1); u++) {
+                    const size_t near = size_t(v) * size_t(nx) + size_t(u);
+                    places[near] = glares[near] ? most : least;
+                }
+        }
+    return places;
 }
 
 image::Moments pixel_moments(device::Device& device, const ViewPlan& plan, const FrameZero& zero) {
-    const uint32_t nx = plan.sampling.params.nx, ny = plan.sampling.params.ny, n = places_of(nx * ny);
+    const auto nx = int(plan.sampling.params.nx), ny = int(plan.sampling.params.ny);
     std::vector<float> out(image::moment_numbers * zero.spread.size(), 0.0f);
-    const std::vector<uint32_t> uneven = uneven_pixels(zero, int(nx), int(ny));
     std::vector<Glint> glints(zero.spread.size());
-    const size_t step = std::max<size_t>(1, pixels_at_once * least_places / n);
-    for (size_t first = 0; first < uneven.size(); first += step) {
-        const std::vector<uint32_t> some(uneven.begin() + long(first),
-                                         uneven.begin() + long(std::min(uneven.size(), first + step)));
-        const std::vector<float> a = run_places(device, plan.sampling, some, n, 0),
-                                 b = run_places(device, plan.sampling, some, n, 1);
-        for (size_t k = 0; k < some.size(); k++) {
-            estimate(&a[3 * n * k], &b[3 * n * k], n, &out[image::moment_numbers * some[k]]);
-            glints[some[k]] = glint_in(zero, some[k], &a[3 * n * k], &b[3 * n * k], n);
+    const std::vector<uint32_t> places = places_of_pixels(zero, nx, ny);
+    std::map<uint32_t, std::vector<uint32_t>> alike;  // pixels by number of places
+    for (uint32_t i = 0; i < places.size(); i++)
+        if (places[i] > 0) alike[places[i]].push_back(i);
+    for (const auto& [n, pixels] : alike) {
+        const size_t step = samples_at_once / n;
+        for (size_t first = 0; first < pixels.size(); first += step) {
+            const std::vector<uint32_t> some(pixels.begin() + long(first),
+                                             pixels.begin() + long(std::min(pixels.size(), first + step)));
+            const std::vector<float> a = run_places(device, plan.sampling, some, n, 0),
+                                     b = run_places(device, plan.sampling, some, n, 1);
+            for (size_t k = 0; k < some.size(); k++) {
+                estimate(&a[3 * n * k], &b[3 * n * k], n, &out[image::moment_numbers * some[k]]);
+                glints[some[k]] = glint_in(zero, some[k], &a[3 * n * k], &b[3 * n * k], n);
+            }
         }
     }
-    add_glints(glints, int(nx), int(ny), out);
+    add_glints(glints, nx, ny, out);
     for (size_t i = 0; i < zero.drawn.size(); i++) add_drawn(zero, i, &out[image::moment_numbers * i]);
     image::clean_moments(out);
     return std::make_shared<const std::vector<float>>(std::move(out));

@@ -11,9 +11,9 @@
 
 namespace render {
 
-// Number of places in a pixel, of a picture of so many pixels.  In small pictures a pixel holds much of the light, and
-// samples cost little.
-uint32_t places_of(uint32_t pixels);
+// Number of places in each pixel at which pairs are drawn, 0: none.  Pixels that hold much of the light have more, and
+// those of small pictures, where samples cost little.
+std::vector<uint32_t> places_of_pixels(const FrameZero& zero, int nx, int ny);
 image::Moments pixel_moments(device::Device& device, const ViewPlan& plan, const FrameZero& zero);
 
 }  // namespace render

@@ -175,9 +175,10 @@ void explain_pixel(device::Device& device, const ViewPlan& plan, const scene::Sc
 }
 
 MomentReport explain_moments(device::Device& device, const ViewPlan& plan, const scene::Scene& scene, int x, int y) {
-    const uint32_t nx = plan.sampling.params.nx, ny = plan.sampling.params.ny, n = places_of(nx * ny),
+    const uint32_t nx = plan.sampling.params.nx, ny = plan.sampling.params.ny,
                    pixel = (ny - 1 - uint32_t(y)) * nx + uint32_t(x);
     const FrameZero zero = draw_frame_zero(device, plan);
+    const uint32_t n = places_of_pixels(zero, int(nx), int(ny))[pixel];
     const image::Moments all = pixel_moments(device, plan, zero);
     MomentReport out;
     for (size_t i = 0; i < out.moments.size(); i++) out.moments[i] = double((*all)[image::moment_numbers * pixel + i]);

@@ -22,10 +22,10 @@ namespace {
 
 using namespace kernels;
 
-constexpr uint32_t EYE_SIDE = 48;   // pilots from the eye: squared
+constexpr uint32_t EYE_SIDE = 32;   // pilots from the eye: squared
 constexpr uint32_t PILOTS = 8;      // from each point that the eye sees; one from each point that these reach
 constexpr float MOST_AIMED = 0.5f;  // of the directions, so that unknown light is sampled, too
-constexpr size_t AIMED = 1024;      // pilots to each portal
+constexpr size_t AIMED = 256;       // pilots to each portal
 constexpr double HIGHLIGHT_SHARES[] = {0, 1. / 32, 1. / 16, 1. / 8, 1. / 4, 3. / 8, 1. / 2};
 constexpr double MIN_HIGHLIGHT_GAIN = 4;  // least reduction of the second moment, in squared means
 
