@@ -12,7 +12,7 @@ using namespace kernels;
 
 namespace {
 constexpr uint32_t coarse = 4;                      // side in pixels of the blocks in which a few paths are traced
-constexpr uint32_t enough_pixels = 1u << 17;        // above them blocks of pixels have the pilots of one
+constexpr uint32_t enough_pixels = 1u << 15;        // above them blocks of pixels have the pilots of one
 constexpr uint32_t paths = 4;                       // of each block
 constexpr uint32_t samples_first = (3u << 30) + 1;  // numbers of the samples, which no frame uses
 constexpr float as_if_normal = 1.45f;               // standard over mean absolute deviation of four normal samples

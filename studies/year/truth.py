@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """truth.py OUT [SCENE ...]: how far hours of a year are off, at the size and frames that the year chose by itself.
 
-Each scene's Mondays (weather.py) are a year at 64 x 64 with nine frames; examples/05-a-year.sh renders hours again
+Each scene's Mondays (weather.py) are a year at 64 x 64 with nine frames; examples/year.sh renders hours again
 until the class is decided.  HOURS of it, half of them next to a limit of DGP, a quarter with the sun in view, the rest
 by even steps of DGP, are rendered with SIZE x SIZE pixels for the truth.  What is there is not made again.
 """
@@ -112,7 +112,7 @@ def verdict(*tables):
 def year_of(scene, out):
     """The tables of the scene's year: all hours, and those of the rounds."""
     render(out, scene, "year/0.tsv", YEAR, 64, 9)
-    rounds = ["bash", EXAMPLES / "05-a-year.sh", out / scene / "year", weather_of(scene, out), YEAR, "8"]
+    rounds = ["bash", EXAMPLES / "year.sh", out / scene / "year", weather_of(scene, out), YEAR, "8"]
     with open(out / scene / "rounds.txt", "a") as said:
         subprocess.run(list(map(str, rounds + words_of(scene))), env={**os.environ, "SIZE": "64"}, stdout=said,
                        stderr=subprocess.DEVNULL, check=True)

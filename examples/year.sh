@@ -1,7 +1,7 @@
 #!/bin/bash
 # SPDX-License-Identifier: BSD-3-Clause
 # A year at a desk until its class is decided: small pictures of all hours, then rounds of larger ones of the hours that
-# vcyear -next names.  05-a-year.sh OUT WEATHER HOURS ROUNDS [PTRACE-WORDS]; the words are a view and a scene.
+# vcyear -next names.  year.sh OUT WEATHER HOURS ROUNDS [PTRACE-WORDS]; the words are a view and a scene.
 set -euo pipefail
 out=${1:-year} weather=${2:?an EPW or WEA file} hours=${3:-Mo-Fr 8-18} rounds=${4:-20} size=${SIZE:-64}
 office=$(dirname "$0")/scenes/office
