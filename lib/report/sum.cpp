@@ -52,7 +52,7 @@ Sum add(Sum sum, const image::Picture& picture, const glare::Reading& reading, c
     if (has_parts) sum.taken = picture.parts;
     else if (n > 0) sum.growing.add(reading.lum.grey, reading.lum.size(), n, picture.header.seed);
     const int64_t m = picture.header.direct_frames.value_or(image::direct_samples);
-    if (has_parts || (n > 0 && n <= std::max(m, int64_t(image::most_parts)))) {  // later pictures know less of it
+    if (has_parts || (n > 0 && n <= m)) {  // later pictures know less of it
         const glare::Geometry& g = reading.geometry();
         uncertainty::Frame0Error error = uncertainty::frame0_error(sum.parts(), m, g.width, g.height, counts(g));
         if (!error.of_pixel.empty()) sum.frame0_error = std::move(error);

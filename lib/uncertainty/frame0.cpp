@@ -16,11 +16,13 @@ int signs_up_to(int64_t k, int64_t m) {
     return k % 2 == 0 ? 0 : image::in_first_half(k) ? 1 : -1;
 }
 
-// The frames of the first half, less those of the second, over all frames of a part.  Empty: not one run's.
+// The frames of the first half, less those of the second, over all frames of a part: of the parts, which stand in the
+// order of their first frames, up to those that are all above m.  Empty: not one run's.
 std::vector<double> excess_of_first(const std::vector<image::Part>& parts, int64_t m) {
     std::vector<double> out;
     for (const image::Part& p : parts) {
         if (p.from.size() != 1 || p.from[0].first != parts[0].from[0].first) return {};
+        if (p.from[0].second[0].first > m) break;
         double signs = 0;
         for (const auto& [first, last] : p.from[0].second) signs += signs_up_to(last, m) - signs_up_to(first - 1, m);
         out.push_back(signs / double(p.frames));
@@ -56,7 +58,7 @@ Frame0Error frame0_error(const std::vector<image::Part>& parts, int64_t m, int w
     std::vector<float> excess(counts.size()), slope(counts.size()), slope_squares(counts.size());
     for (size_t i = 0; i < excess.size(); ++i) {
         double grey = 0, scatter = 0, product = 0;
-        for (const image::Part& p : parts) grey += double(p.frames) * double(p.grey[i]) / n;
+        for (size_t p = 0; p < x.size(); ++p) grey += double(parts[p].frames) * double(parts[p].grey[i]) / n;
         for (size_t p = 0; p < x.size(); ++p) {
             const double d = double(parts[p].grey[i]) - grey, weight = double(parts[p].frames);
             scatter += weight * d * d, product += weight * d * (x[p] - mean);

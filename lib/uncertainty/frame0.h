@@ -22,10 +22,10 @@ struct Frame0Error {
     int64_t m = 0;
 };
 
-// From three parts or more.  The least-squares slope of their means on the excess of one half over the other in their
-// frames is half the difference of the halves.  e is that slope, scaled so that its square is the mean over 3 x 3
-// pixels of the slope's square less its variance by the scatter about the line: runs with the same noise have e in
-// common. counts: pixels that are measured.
+// From three parts or more that begin at frame m or before.  The least-squares slope of their means on the excess of
+// one half over the other in their frames is half the difference of the halves.  e is that slope, scaled so that its
+// square is the mean over 3 x 3 pixels of the slope's square less its variance by the scatter about the line: runs with
+// the same noise have e in common. counts: pixels that are measured.
 Frame0Error frame0_error(const std::vector<image::Part>& parts, int64_t m, int width, int height,
                          const std::vector<bool>& counts);
 
