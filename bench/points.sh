@@ -1,6 +1,6 @@
 #!/bin/bash
 # SPDX-License-Identifier: BSD-3-Clause
-# What a grid of sensors costs, against its points: bench/points.sh build/bin
+# The cost of a grid of sensors by its number of points: bench/points.sh build/bin
 # The office at 14:00, a plan .76 m over the floor, 16 frames, ptrace on one thread with its default sampling.  Tab
 # separated lines: points, seconds of a core of ptrace, ptaccum and vcmetrics, MB of each at most, half of a point's
 # interval over its value (median, %).  With gnuplot also points.svg.  docs/scale.md has both.

@@ -1,11 +1,11 @@
 #!/bin/bash
 # SPDX-License-Identifier: BSD-3-Clause
 # From exec to the first numbers: bench/startup.sh build/bin [older/bin]
-# Processor seconds of one core, the system's included, until vcmetrics has written the line of frame 1, the first with
-# diffuse light: the office at 14:00, -ab 5.  A stage of ptrace is the difference of two runs, of which one ends behind
-# it.  A line a size and folder, tab separated: medians of RUNS turns.  With a second folder the two take turns; then
-# follow the medians of seconds now over seconds before, of frame 0 to learning and of all.  OUT (out/startup) gets
-# startup.svg (docs/efficiency.md) if gnuplot is there.
+# Processor seconds of one core, the system's included, until vcmetrics has written the line of frame 1, the first
+# with diffuse light: the office at 14:00, -ab 5.  A stage's time is that of a run that ends after it, less that of a
+# run that ends before it.  A line a size and folder, tab separated: medians of RUNS turns.  With a second folder the
+# two take turns; then follow the medians of seconds now over seconds before, of frame 0 to learning and of all.  OUT
+# (out/startup) gets startup.svg (docs/efficiency.md) if gnuplot is there.
 set -euo pipefail
 now=$(cd "$1" && pwd) before=${2:+$(cd "$2" && pwd)}
 top=$(cd "$(dirname "$0")/.." && pwd)

@@ -24,7 +24,7 @@ inline Params with_view(Params par, kernels::ViewTables tables) {
     return par;
 }
 
-// What a running pass is asked.  end: run(), splat() and pilot() throw Cancelled.
+// A request to a running pass.  end: run(), splat() and pilot() throw Cancelled.
 enum class Wish { go_on, wait, end };
 struct Cancelled {};
 

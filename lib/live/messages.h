@@ -10,6 +10,9 @@
 
 namespace live {
 
+// A line to our standard error and to the page.
+void pass_on(const std::string& line, Live& live);
+
 class Messages {
 public:
     Messages(const std::string& fifo, Live& live);  // throws base::Error (system)
@@ -19,7 +22,7 @@ public:
 
 private:
     void listen();
-    void pass_on();
+    void take_lines();
     void take(const std::string& line);
     Live& live_;
     FifoLines lines_;

@@ -7,7 +7,6 @@
 #include <fstream>
 #include <sstream>
 
-#include "base/descriptor.h"
 #include "base/number.h"
 #include "base/printable.h"
 #include "base/split.h"
@@ -15,6 +14,7 @@
 #include "live/child.h"
 #include "live/commands.h"
 #include "live/json.h"
+#include "live/messages.h"
 
 namespace live {
 
@@ -80,10 +80,7 @@ void Plan::take(const std::string& line) {
     const auto said = [&](const Design& d) {
         return std::find(d.messages.begin(), d.messages.end(), line) != d.messages.end();
     };
-    if (line.empty() || live_.ask(said)) return;
-    const std::string whole = line + "\n";
-    base::write_all(2, whole.data(), whole.size());
-    live_.change([&](Design& d) { d.tell(line); });
+    if (!line.empty() && !live_.ask(said)) pass_on(line, live_);
 }
 
 void Plan::show() {

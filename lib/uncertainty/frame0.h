@@ -25,7 +25,7 @@ struct Frame0Error {
 // From three parts or more that begin at frame m or before.  The least-squares slope of their means on the excess of
 // one half over the other in their frames is half the difference of the halves.  e is that slope, scaled so that its
 // square is the mean over 3 x 3 pixels of the slope's square less its variance by the scatter about the line: runs with
-// the same noise have e in common. counts: pixels that are measured.
+// the same noise have e in common.  counts: pixels that are measured.
 Frame0Error frame0_error(const std::vector<image::Part>& parts, int64_t m, int width, int height,
                          const std::vector<bool>& counts);
 

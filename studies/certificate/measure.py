@@ -115,7 +115,7 @@ PARTS = [
     ),
     *(
         (
-            "frames and rays whose bits are those of tests/golden/bits.tsv: %s" % words,
+            "frames and rays with the bits of tests/golden/bits.tsv: %s" % words,
             "rows",
             100,
             "$BIN/bits_test %s" % device,

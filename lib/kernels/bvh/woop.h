@@ -2,8 +2,8 @@
 // Ray prepared for traversal, and the watertight test of one triangle.
 // Triangles: Woop, Benthin, Wald 2013, "Watertight Ray/Triangle Intersection": the triangle is sheared into the space
 // where the ray is the z axis; neighbours compute the same bits for their common edge, and points on an edge (0) belong
-// to both.  The distance is that of the triangle's plane.  Boxes: slabs with the far side widened, Ize 2013, "Robust
-// BVH Ray Traversal".  Needs strict floating point.
+// to both.  The distance is measured to the triangle's plane.  Boxes: slabs with the far side widened, Ize 2013,
+// "Robust BVH Ray Traversal".  Needs strict floating point.
 #ifndef LUX_WOOP_H
 #define LUX_WOOP_H
 
@@ -34,8 +34,8 @@ FN void woop_prepare(float3 org, float3 dir, PRIVATE(WoopRay) r) {
     r->sy = axis3(dir, r->ky) / axis3(dir, r->kz);
 }
 
-// The normal of a triangle, of any length, and a corner on its plane.  Of two long edges of a slat the cross product
-// would be wrong, so the corner is that of a and b that is nearer to c.
+// A normal of a triangle, not normalised, and a corner on its plane.  The cross product of a slat's two long edges
+// would be inexact, so that the edges meet at a or b, whichever is nearer to c.
 FN float3 triangle_normal(float3 a, float3 b, float3 c, PRIVATE(float3) corner) {
     float3 ab = sub3(b, a), side = sub3(c, a), other = sub3(c, b);
     *corner = a;
