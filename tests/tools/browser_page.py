@@ -147,18 +147,20 @@ class Page:
 
     def check_keyboard(self):
         """The tab key reaches all that can be used, in the order of the page, and shows where it is."""
-        wanted = self.js(f"""(window.all = [...document.querySelectorAll(
-            'button, select, input, summary, a[href], [tabindex="0"]')]
-            .filter((e) => !e.disabled && e.tabIndex >= 0 && e.checkVisibility())).length""")
-        ActionChains(self.chrome).send_keys(Keys.TAB).perform()  # whoever uses keys sees the focus
-        self.chrome.execute_script('all[0].focus()')
-        seen, outlined = [], 0
-        for k in range(wanted + 5):
-            if k: ActionChains(self.chrome).send_keys(Keys.TAB).perform()
-            k = self.js('all.indexOf(document.activeElement)')
-            if k < 0: break
-            seen.append(k)
-            outlined += self.js('getComputedStyle(document.activeElement).outlineStyle !== "none"')
+        stops = """[...document.querySelectorAll('button, select, input, summary, a[href], [tabindex="0"]')]
+            .filter((e) => !e.disabled && e.tabIndex >= 0 && e.checkVisibility())"""
+        for _ in range(9):  # hours of the day, say, may come while we look
+            wanted = self.js(f'(window.all = {stops}).length')
+            ActionChains(self.chrome).send_keys(Keys.TAB).perform()  # whoever uses keys sees the focus
+            self.chrome.execute_script('all[0].focus()')
+            seen, outlined = [], 0
+            for k in range(wanted + 5):
+                if k: ActionChains(self.chrome).send_keys(Keys.TAB).perform()
+                k = self.js('all.indexOf(document.activeElement)')
+                if k < 0: break
+                seen.append(k)
+                outlined += self.js('getComputedStyle(document.activeElement).outlineStyle !== "none"')
+            if self.js(f'((now) => now.length === all.length && now.every((e, k) => e === all[k]))({stops})'): break
         check('the tab key reaches all that can be used, in the order of the page', seen == list(range(wanted)),
               (wanted, seen, self.js('all.filter((e, k) => !arguments[0].includes(k)).map((e) => e.outerHTML)', seen)))
         check('what has the focus is outlined', outlined == len(seen), (outlined, len(seen)))
