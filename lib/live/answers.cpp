@@ -125,14 +125,14 @@ Answer answer_put(Live& live, const Files& files, const Arguments& arguments, co
     if (!f) return plain(404, "no such file");
     if (!f->writable) return plain(403, f->path + " was not named to be written");
     try {
-        const FileNow before = f->read();
-        if (!f->write(text, tag)) return plain(412, f->path + " has been changed by another program");
+        const std::optional<FileWritten> written = f->write(text, tag);
+        if (!written) return plain(412, f->path + " has been changed by another program");
         if (f->kind == TextFile::Kind::regions)
-            live.change([&](Design& d) { d.wrote(size_t(f - files.data()), before.text, f->read().tag); });
+            live.change([&](Design& d) { d.wrote(size_t(f - files.data()), written->before, written->tag); });
+        return {200, "text/plain; charset=utf-8", "", written->tag};
     } catch (const base::Error& e) {
         return plain(e.kind == base::Kind::input ? 400 : 500, e.text);
     }
-    return {200, "text/plain; charset=utf-8", "", f->read().tag};
 }
 
 std::optional<Answer> answer_sources(Asked& sources, const Arguments& arguments) {

@@ -74,7 +74,7 @@ Answer undo_text(const Commanded& to, size_t n) {
 }
 
 Answer undo_regions(const Commanded& to, const Design::Step& step) {
-    const bool done = to.files[step.file].write(step.before, step.tag);
+    const bool done = to.files[step.file].write(step.before, step.tag).has_value();
     to.live.change([&](Design& d) { d.take_back(step.of, step.file); });
     return done ? Answer{204, "", ""} : plain(409, to.files[step.file].path + " has been changed since");
 }

@@ -31,13 +31,13 @@ FileNow TextFile::read() const {
     return now;
 }
 
-bool TextFile::write(const std::string& text, const std::string& tag) const {
+std::optional<FileWritten> TextFile::write(const std::string& text, const std::string& tag) const {
     if (kind == Kind::regions && holds_regions(text, path)) region::parse(text, path);
-    const FileNow now = read();
+    FileNow now = read();
     if (!now.trouble.empty()) base::fail(path, now.trouble);
-    if (now.tag != tag) return false;
+    if (now.tag != tag) return std::nullopt;
     image::write_bytes(path, text);
-    return true;
+    return FileWritten{std::move(now.text), base::hash_of(text)};
 }
 
 bool TextFile::changed() {

@@ -6,9 +6,13 @@
 #include <fcntl.h>
 #include <sys/stat.h>
 
+#include <atomic>
 #include <cmath>
+#include <fstream>
 #include <random>
+#include <thread>
 
+#include "base/hash.h"
 #include "image/stream.h"
 #include "image_pictures.h"
 #include "live/answers.h"
@@ -342,6 +346,25 @@ TEST_CASE("a design as a text holds all of it, whatever is in the texts") {
     }
 }
 
+TEST_CASE("the tag of an answer is of what was written, though another program appends at this moment") {
+    TempFolder folder;
+    const std::string text = "desk circle view 20\n";
+    const live::Files files{{folder.holding("x.regions", text), live::TextFile::Kind::regions, true}};
+    std::atomic<bool> done{false};
+    std::thread other([&] {
+        while (!done) std::ofstream(files[0].path, std::ios::app) << "# by hand\n";
+    });
+    live::Live live;
+    int others = 0;
+    for (int trial = 0; trial < 300; ++trial) {
+        const live::Answer answer = live::answer_put(live, files, arguments({{"n", "0"}}), text, files[0].read().tag);
+        others += answer.status == 200 && answer.tag != base::hash_of(text);
+    }
+    done = true;
+    other.join();
+    CHECK(others == 0);
+}
+
 TEST_CASE("JSON of numbers") {
     CHECK(live::json::number(.1) == "0.1");
     CHECK(live::json::number(std::nan("")) == "null");
@@ -352,13 +375,13 @@ TEST_CASE("a file is written only over the state that its writer has read, and r
     TempFolder folder;
     const live::TextFile file(folder.name("x.regions"), live::TextFile::Kind::regions, true);
     CHECK(file.read().tag == "none");
-    REQUIRE(file.write("desk circle view 20\n", "none"));
+    REQUIRE(file.write("desk circle view 20\n", "none").has_value());
     const live::FileNow now = file.read();
     CHECK(now.text == "desk circle view 20\n");
-    CHECK_FALSE(file.write("desk circle view 30\n", "none"));
+    CHECK_FALSE(file.write("desk circle view 30\n", "none").has_value());
     CHECK_THROWS_AS(file.write("desk circle\n", now.tag), base::Error);
     CHECK(file.read().tag == now.tag);
-    CHECK(file.write("# none any more\n", now.tag));
+    CHECK(file.write("# none any more\n", now.tag).has_value());
     CHECK(live::region_outlines(file.read().text, file.path, small_picture(9, 7)) == "[]");
 }
 
