@@ -139,7 +139,9 @@ void HourWords::read(const std::string& word) {
     const size_t dash = word.find('-');
     const bool known =
         dash == std::string::npos ? read_name(word) : read_span(word.substr(0, dash), word.substr(dash + 1));
-    if (!known) base::fail(option, "\"" + base::excerpt(word) + "\" is no day, month, hour, date or @file");
+    if (!known)
+        base::fail(option, "\"" + base::excerpt(word) +
+                               "\" is no day (Mo-Fr), month (Jun), time (8-18), date (21Jun), share (3/16) or @file");
 }
 
 // By the clock, but for names, which are in standard time.

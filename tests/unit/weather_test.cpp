@@ -216,8 +216,10 @@ TEST_CASE("hours that mean nothing") {
     Folder::write("w.epw", year_epw());
     const Weather w = read_weather("w.epw");
     const auto said = [&](const char* words) { return error_text([&] { choose_hours(w, words); }); };
-    CHECK(said("Mo-Xy") == "-hours: \"Mo-Xy\" is no day, month, hour, date or @file");
-    CHECK(said("18-18") == "-hours: \"18-18\" is no day, month, hour, date or @file");
+    CHECK(said("Mo-Xy") ==
+          "-hours: \"Mo-Xy\" is no day (Mo-Fr), month (Jun), time (8-18), date (21Jun), share (3/16) or @file");
+    CHECK(said("18-18") ==
+          "-hours: \"18-18\" is no day (Mo-Fr), month (Jun), time (8-18), date (21Jun), share (3/16) or @file");
     CHECK(said("0229") == "-hours: \"0229\" means no hour of w.epw");
     CHECK(said("0621_1400") == "-hours: 0621_1400 is not an hour of w.epw");
     CHECK(said("17/16") == "-hours: \"17/16\" is not a share such as 3/16");
