@@ -126,6 +126,18 @@ page.click('#model-save')
 check('saved on demand', soon(lambda: '14.25 +s' in open('sky.rad').read()))
 check('then there is nothing to save', soon(lambda: not page.one('#model-save').is_enabled()))
 
+# another program writes the file while a change of the page is not saved and the page has not heard of it
+page.js('window.deaf = true')
+page.keys('#skies label:nth-of-type(2) input', Keys.ARROW_RIGHT)
+check('a change is there to save', soon(lambda: page.one('#model-save').is_enabled()))
+theirs = open('sky.rad').read() + '# by hand\n'
+with open('sky.rad', 'w') as file: file.write(theirs)
+page.click('#model-save')
+check('Save leaves a file that another program has changed, and says so',
+      soon(lambda: 'another program' in page.one('#model-say').text) and open('sky.rad').read() == theirs, open('sky.rad').read())
+page.js('window.deaf = false')
+check('the page shows that file', page.until("document.getElementById('model-text').textContent.includes('by hand')"))
+
 page.check_keyboard()
 page.check_contrast()
 for w in (1280, 390):

@@ -121,7 +121,12 @@ export class Sliders {
     try {
       const answer = await ask(`/overlay?${question}`, { method: 'POST', body: text });
       if (answer.status === 412) {
+        const { text: newest, sent, rested } = one;
         await this.fetch(one);
+        if (one.text === sent) {  // the same text under another version: it was saved
+          Object.assign(one, { text: newest, rested, said });
+          return this.send_text(one);
+        }
         one.going = false;
         this.show();
         return `${one.file.name} was changed in another window meanwhile and is shown as there; not taken: ${said}`;
@@ -135,8 +140,9 @@ export class Sliders {
   }
 
   async save() {
-    const one = this.now, said = await one.file.save(() => one.text);
-    this.say(said || `${one.file.name} is saved`);
+    const one = this.now, known = one.file.text, said = await one.file.save((text) => text === known ? one.text : null);
+    this.say(said === 'conflict' ? `${one.file.name} was changed by another program meanwhile and is as that program left it.`
+      : said || `${one.file.name} is saved`);
     this.mark();
   }
 
