@@ -134,7 +134,8 @@ theirs = open('sky.rad').read() + '# by hand\n'
 with open('sky.rad', 'w') as file: file.write(theirs)
 page.click('#model-save')
 check('Save leaves a file that another program has changed, and says so',
-      soon(lambda: 'another program' in page.one('#model-say').text) and open('sky.rad').read() == theirs, open('sky.rad').read())
+      soon(lambda: 'another program' in page.one('#model-say').text) and open('sky.rad').read() == theirs,
+      open('sky.rad').read())
 page.js('window.deaf = false')
 check('the page shows that file', page.until("document.getElementById('model-text').textContent.includes('by hand')"))
 
