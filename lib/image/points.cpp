@@ -11,6 +11,7 @@
 #include <set>
 
 #include "base/error.h"
+#include "base/files_read.h"
 #include "base/hash.h"
 #include "base/number.h"
 #include "base/split.h"
@@ -77,6 +78,7 @@ std::vector<std::string> point_files(const std::vector<std::string>& paths) {
             out.push_back(path);
             continue;
         }
+        base::note_file_missed(path);  // as are the .pts files that may come to be in it
         std::set<std::string> inside;
         for (const auto& entry : std::filesystem::directory_iterator(path, unreadable))
             if (entry.path().extension() == ".pts") inside.insert(entry.path().string());

@@ -83,10 +83,12 @@ void Session::select(const Setup& setup) {
 }
 
 // Changes are relative to the files' present state.
-Session::WithSky Session::read_again(scene::ReadOptions how) const {
+Session::WithSky Session::read_again(Setup& setup, const ReadView& read_view) const {
+    scene::ReadOptions how = setup.reading;
     const std::vector<std::string> before = base::forget_files_read();
     base::take_warnings();
     try {
+        if (read_view) read_view(setup.view);
         WithSky now;
         now.scene = scene::read_scene(files_, how);
         now.room = scene::extent_of(now.scene);
@@ -100,11 +102,11 @@ Session::WithSky Session::read_again(scene::ReadOptions how) const {
     }
 }
 
-bool Session::edit(const Setup& next, bool read) {
+bool Session::edit(Setup next, bool read, const ReadView& read_view) {
     const std::string before = renderer_->fingerprint();
-    const scene::ReadOptions how = budget_anew(next.reading);
+    const scene::ReadOptions how = next.reading = budget_anew(next.reading);
     if (read) {
-        WithSky now = read_again(how);
+        WithSky now = read_again(next, read_view);
         load_into_renderer(now, next, how);
         history_ = now.scene.history;
         with_sky_ = std::move(now);

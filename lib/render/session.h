@@ -3,6 +3,7 @@
 // affects: a view or most options none of the scene's, files all except the tree of unchanged surfaces.  After any
 // edits the frames are those of a separate run.
 #pragma once
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -30,9 +31,10 @@ public:
     void load(const std::string& sky, Setup setup, Next next);
     // Selects the view of the calls below.
     void select(const Setup& setup);
-    // Applies an edit; read: reads the files, too.  Returns true if the picture changes and begins anew.  Throws Error
-    // and leaves all unchanged.
-    bool edit(const Setup& next, bool read);
+    // Applies an edit; read: reads the files, too, those of the view by read_view.  Returns true if the picture changes
+    // and begins anew.  Throws Error and leaves all unchanged.
+    using ReadView = std::function<void(RenderView& view)>;
+    bool edit(Setup next, bool read, const ReadView& read_view = {});
 
     Renderer& renderer() const { return *renderer_; }
     const scene::Scene& scene() const { return with_sky_.scene; }  // empty unless kept
@@ -47,7 +49,7 @@ private:
         scene::Extent room;     // where the sky begins
         std::string room_text;  // hash of the surfaces before the sky; empty: nothing follows that could use it
     };
-    WithSky read_again(scene::ReadOptions how) const;
+    WithSky read_again(Setup& setup, const ReadView& read_view) const;
     void load_into_renderer(const WithSky& with_sky, const Setup& setup, const scene::ReadOptions& how) const;
 
     std::unique_ptr<Renderer> renderer_;

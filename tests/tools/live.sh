@@ -53,6 +53,26 @@ check 'a file that comes to be earlier on RAYPATH is taken' '
     mkdir -p first; rm -f first/f.cal; export RAYPATH=first:.; begin -watch $eye
     await "[ -s f ] && [ \$(frames) -gt 3 ]"
     echo "v = .1;" > first/f.cal; await "grep -aq ^EDIT=1 f"; settle; end; as_alone "$eye"'
+mkdir grid
+watch_points() {
+    printf "1 0 1 0 0 1\n" > grid/a.pts; begin -watch -points grid; await "[ -s f ] && [ \$(frames) -gt 3 ]"
+}
+check 'a file of points is watched as those of the scene, and more points are more pixels' '
+    watch_points; seq 9 | sed "s/.*/& 0 1 0 0 1/" > t; mv t grid/a.pts; await "grep -aq ^EDIT=1 f"; settle; end
+    grep -aq "^GRID=a 0 9 " f; as_alone "-points grid"; [ ! -s said ]'
+check 'a mistake in it is said once with its place, the last good points go on, and the mended ones are rendered' '
+    watch_points; printf "1 0 1 0 0 1\n2 0 1 0 0\n" > grid/a.pts; await "[ -s said ]"; settle; settle
+    [ "$(cat said)" = "ptrace: grid/a.pts:2: a point is x y z dx dy dz, six numbers, not 5" ]
+    [ "$(edits)" = "EDIT=0 start " ]; printf "1 0 2 0 0 1\n2 0 2 0 0 1\n" > grid/a.pts; await "grep -aq ^EDIT=1 f"
+    settle; end; as_alone "-points grid"; [ $(wc -l < said) = 1 ]'
+check 'points that come to a folder, and leave it, while the scene changes, too' '
+    watch_points; printf "0 0 2 1 0 0\n" > t; mv t grid/b.pts; await "grep -aq \"^GRID=b 1 1 \" f"
+    sed "s/[.]5 [.]5/.1 .1/" m.rad > t; cp m.rad good; mv t m.rad; await "grep -aq ^EDIT=2 f"
+    rm grid/a.pts; await "grep -aq \"^GRID=b 0 1 \" f"; settle; end; as_alone "-points grid"
+    mv good m.rad; rm grid/b.pts'
+check 'the points of the standard input stay' '
+    echo 1 0 1 0 0 1 > points.pts; begin -watch -points - < points.pts; await "[ -s f ] && [ \$(frames) -gt 3 ]"
+    echo "v = .3;" > f.cal; await "grep -aq ^EDIT=1 f"; settle; end; as_alone "-points points.pts"'
 check 'view, set and size; wrong words are said and change nothing; the same words again begin nothing' '
     begin -control ctl $eye; await "[ -s f ] && [ \$(frames) -gt 3 ]"
     echo "view -vp 1 -4 2" > ctl; await "grep -aq \"^EDIT=1 view\" f"

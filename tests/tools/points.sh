@@ -84,6 +84,15 @@ check '"each 5%" ends it where 95 of 100 points of each grid are within 5 %' '
     test "$(sed "s/.*after \([0-9]*\) .*/\1/" said)" -lt 300'
 check_error 'and is no number of the table' 1 'is not a number of a grid' 'stream 3 | vcmetrics -metrics desk.each'
 check_exit 'or was not met' 4 'stream 3 | vcmetrics -until "desk.mean .0001%" 2> said'
+check 'points that change in a live stream (EDIT=) are measured by what they are now' '
+    printf "5 5 1 0 0 1\n" > one.pts; seq 7 | sed "s/.*/0 & 1 0 0 1/" > seven.pts
+    edit() { ptrace -points "$2" "${@:3}" -frames 3 sky.rad room.rad | sed "s/^FRAME=/EDIT=$1\nFRAME=/"; }
+    { edit "0 start" one.pts; cp seven.pts one.pts; edit "1 scene" one.pts; edit "2 scene" desk.pts -points one.pts
+        edit "3 scene" one.pts; } | ptaccum -o - | vcmetrics -metrics mean > table
+    ptrace -points seven.pts -frames 3 sky.rad room.rad | ptaccum -o - | vcmetrics -metrics mean > alone
+    grep -n frame table | cut -f 1,4,5 | tr "\n\t" ", " > names
+    [ "$(cat names)" = "1:frame one.mean,8:frame desk.mean one.mean,12:frame one.mean," ]
+    for e in 1 3; do [ "$(awk "\$3 == $e { print \$4 }" table)" = "$(sed 1d alone | cut -f 3)" ]; done'
 check '-each has a row a point' '
     stream 17 | vcmetrics -each -points desk.pts -points wall.a.pts > rows; test "$(wc -l < rows)" = 4
     sed -n 3p rows | grep -q "^desk	2	1	0.7	0	0	1	"'

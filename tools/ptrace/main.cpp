@@ -128,7 +128,14 @@ bool apply_edits(Run& run, size_t i) {
         choose_focus(next);
         render::Setup setup = setup_of(next, i, progress);
         setup.options.tell_limit = next.render.ab != run.opt.render.ab;
-        begins = run.session->edit(setup, files);
+        render::Session::ReadView read_view;
+        if (!next.points_files.empty())
+            read_view = [&](render::RenderView& view) {
+                read_points(next);
+                view = next.views[i].render_view;
+                render::require_memory(view);
+            };
+        begins = run.session->edit(setup, files, read_view);
         run.opt = next;
     };
     std::string failure = carry_out([&] { change(read); });

@@ -43,28 +43,12 @@ void add_view(const std::string& name, Options& opt) {
     opt.views.push_back({name, v});
 }
 
-// All points are one picture; tables of the scene are made as for an eye in their midst.
 void add_points(Options& opt) {
     if (!opt.views_files.empty()) base::fail("-points", "is a picture of its own, beside which -views has no place");
     if (!opt.focus_file.empty()) base::fail("-focus", "points have no regions; their grids are some");
     if (std::count(opt.points_files.begin(), opt.points_files.end(), "-") > 1)
         base::fail("-points", "the standard input is read once");
-    image::GridFiles& files = opt.grid_files;
-    for (const std::string& path : image::point_files(opt.points_files)) files.push_back(image::read_points(path));
-    opt.grids = image::grids_of(files, opt.sensors.value_or(true));
-    auto list = std::make_shared<render::PointList>();
-    list->sensors = opt.sensors.value_or(true);
-    base::Vec3 sum{0, 0, 0};
-    for (const image::GridFile& file : files) {
-        for (const image::Point& point : file.points) sum = sum + point.p;
-        list->points.insert(list->points.end(), file.points.begin(), file.points.end());
-    }
-    for (const image::Grid& grid : opt.grids) list->hash += image::to_text(grid) + " ";
-    render::RenderView v{opt.view, 0, 0};
-    v.view.vp = sum * (1 / double(list->points.size()));
-    image::size_for(list->points.size(), v.nx, v.ny);
-    v.points = std::move(list);
-    opt.views.push_back({"", v});
+    read_points(opt);
     opt.moments = false;
 }
 
@@ -227,6 +211,32 @@ std::optional<int> parse(int argc, char** argv, const std::vector<std::string>& 
 }
 
 }  // namespace
+
+// Tables of the scene are made as for an eye in their midst.
+void read_points(Options& opt) {
+    const image::GridFiles before = std::move(opt.grid_files);
+    image::GridFiles& files = opt.grid_files = {};
+    for (const std::string& path : image::point_files(opt.points_files)) {
+        const auto known = std::find_if(before.begin(), before.end(), [&](const image::GridFile& f) {
+            return path == "-" && f.path == "stdin";  // which is read once
+        });
+        files.push_back(known == before.end() ? image::read_points(path) : *known);
+    }
+    opt.grids = image::grids_of(files, opt.sensors.value_or(true));
+    auto list = std::make_shared<render::PointList>();
+    list->sensors = opt.sensors.value_or(true);
+    base::Vec3 sum{0, 0, 0};
+    for (const image::GridFile& file : files) {
+        for (const image::Point& point : file.points) sum = sum + point.p;
+        list->points.insert(list->points.end(), file.points.begin(), file.points.end());
+    }
+    for (const image::Grid& grid : opt.grids) list->hash += image::to_text(grid) + " ";
+    render::RenderView v{opt.view, 0, 0};
+    v.view.vp = sum * (1 / double(list->points.size()));
+    image::size_for(list->points.size(), v.nx, v.ny);
+    v.points = std::move(list);
+    opt.views = {{"", v}};
+}
 
 std::string output_name(const std::string& pattern, int64_t k, const std::string& label) {
     std::string name = pattern;

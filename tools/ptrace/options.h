@@ -69,6 +69,9 @@ inline bool is_live(const Options& opt) { return opt.watch || !opt.control.empty
 // Fills opt and checks it.  A status: the answer (-help, -version, -defaults, -devices) was printed, main ends with it.
 std::optional<int> parse_options(int argc, char** argv, Options& opt);
 
+// Reads the files of -points: the one picture.
+void read_points(Options& opt);
+
 // The file of frame k: the pattern's one %d (%4d, %04d) replaced, and %s by the name of the picture; a pattern without
 // serves a single frame.
 std::string output_name(const std::string& pattern, int64_t k, const std::string& label);

@@ -113,13 +113,15 @@ GridStep step(const Options& o, GridState s, image::Picture& p, int64_t frame, d
     if (s.progress.done) return {std::move(s), "", {}};
     if (image::count_of(h.grids) > size_t(p.width) * size_t(p.height))
         base::fail("", "GRID= lines have more points than pixels");
-    const bool first = s.columns.empty(), plain = !o.each && !o.like_rtrace;
-    std::string text = !first && h.sky_name != s.header.sky_name ? rows_of_points(o, s) : "";
+    const bool plain = !o.each && !o.like_rtrace, other_sky = h.sky_name != s.header.sky_name;
+    const bool first = s.columns.empty() || !(h.grids == s.header.grids);  // points change in a live stream
+    std::string text = !s.columns.empty() && other_sky ? rows_of_points(o, s) : "";
+    const std::vector<std::string> names = s.names;
     if (first) s = begin(o, h, std::move(s.progress));
-    if (first && !o.like_rtrace) text += header_line(s.names, o.format);
+    if (s.names != names && !o.like_rtrace) text += header_line(s.names, o.format);
     const std::vector<float> grey = image::grey_of(p.rgb);
     const int64_t n = h.frames.value_or(0);
-    if (first || n <= s.parts.frames() || h.sky_name != s.header.sky_name) s.parts.restart(), s.held = 0;
+    if (first || n <= s.parts.frames() || other_sky) s.parts.restart(), s.held = 0;
     if (!p.parts.empty()) s.parts.resume(p.parts, grey, n);
     else s.parts.add(grey.data(), grey.size(), n, h.seed);
     s.header = h;
