@@ -14,12 +14,12 @@ constexpr Noise no_interval = Noise::no_interval, linear = Noise::linear;
 constexpr Requirements nothing = 0,
                        uncompared = 1u << 31;  // -compare leaves it out unless it is named
 using require::sources, require::rammg, require::medians, require::mask, require::all_light, require::filled,
-    require::regions_in_full;
+    require::regions_in_full, require::reach;
 
 enum Filled { filled_too };
 
-// A formula of G has a meaning for filled pixels as well: with filled_too there are columns NAMEf, and NAME.px, the
-// difference from NAMEu.  Others, of M, read what only whole pixels have, and do not compile with it.
+// A formula of G has a meaning for filled pixels as well: with filled_too there are columns NAMEf; NAME.px, the difference
+// from NAMEu; and NAMEf.px.  Others, of M, read what only whole pixels have, and do not compile with it.
 struct Entry {
     const char* name;
     Requirements required;
@@ -161,13 +161,14 @@ private:
         else columns_.push_back({column, [k](M m) { return m.region_values[k].tal; }, no_interval});
     }
 
-    // NAME or, where noise biases NAME, NAMEu; NAMEf and NAME.px.
+    // NAME or, where noise biases NAME, NAMEu; NAMEf, NAME.px and NAMEf.px.
     bool plain(const std::string& name) {
         for (const Entry& e : entries) {
             const bool shows_unbiased = has_bias(e.noise) && name == std::string(e.name) + "u",
                        shows_filled = e.has_filled && name == std::string(e.name) + "f",
-                       shows_pixels = name == pixels_column(e.name);
-            if (name != e.name && !shows_unbiased && !shows_filled && !shows_pixels) continue;
+                       shows_pixels = name == pixels_column(e.name),
+                       shows_reach = e.has_filled && has_interval(e.noise) && name == std::string(e.name) + "f.px";
+            if (name != e.name && !shows_unbiased && !shows_filled && !shows_pixels && !shows_reach) continue;
             if (e.required & mask && !settings_.mask_file) base::fail("-metrics", name + " needs a mask (-A file)");
             requirements_ |= e.required & ~(mask | uncompared);
             if (e.required & sources) requirements_ |= all_light;
@@ -185,6 +186,11 @@ private:
                 column.value = [value = e.of_glare, shows_pixels](M m) {
                     return value(m.filled ? *m.filled : m) - (shows_pixels ? value(m) : 0);
                 };
+            }
+            if (shows_reach) {
+                requirements_ |= filled | reach;
+                column.noise = no_interval;
+                column.value = [value = e.of_glare](M m) { return off_by_reach(m, value); };
             }
             columns_.push_back(std::move(column));
             return true;
@@ -262,14 +268,6 @@ private:
 
 std::vector<Column> choose_columns(const ColumnChoice& choice, const Settings& settings, Requirements& requirements) {
     return ColumnSelector(choice, settings, requirements).all();
-}
-
-const char* const dgp_classes[5] = {"imperceptible", "perceptible", "disturbing", "intolerable", "unknown"};
-const double dgp_limits[3] = {0.35, 0.40, 0.45};
-
-int dgp_class(double dgp) {
-    if (std::isnan(dgp)) return 4;
-    return dgp > dgp_limits[2] ? 3 : dgp >= dgp_limits[1] ? 2 : dgp >= dgp_limits[0] ? 1 : 0;
 }
 
 bool has_interval(Noise noise) {

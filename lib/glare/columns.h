@@ -46,12 +46,6 @@ struct ColumnChoice {
     bool accelerad = false;   // AcceleradRT's columns and its contrast ratio, high over low; names are ignored
 };
 
-// Class of DGP (paper, section 2): 0 imperceptible, below 0.35; 1 perceptible; 2 disturbing, from 0.40; 3 intolerable,
-// above 0.45.  Index into dgp_classes.
-int dgp_class(double dgp);
-extern const char* const dgp_classes[5];  // the last one is "unknown"
-extern const double dgp_limits[3];
-
 // Names without a region (TAL, mean, median, min, max, share) stand for all regions, CR for all pairs.  Throws Error on
 // an unknown name, with a list of the known ones.
 std::vector<Column> choose_columns(const ColumnChoice& choice, const Settings& settings, Requirements& requirements);

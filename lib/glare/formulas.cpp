@@ -59,6 +59,14 @@ double low_light_factor(double ev) {
     return e / (1 + e);
 }
 
+const char* const dgp_classes[5] = {"imperceptible", "perceptible", "disturbing", "intolerable", "unknown"};
+const double dgp_limits[3] = {0.35, 0.40, 0.45};
+
+int dgp_class(double dgp) {
+    if (std::isnan(dgp)) return 4;
+    return dgp > dgp_limits[2] ? 3 : dgp >= dgp_limits[1] ? 2 : dgp >= dgp_limits[0] ? 1 : 0;
+}
+
 double dgi(const GlareTerms& s, double background) { return dgi_over(s, float(background)); }
 
 double dgi_mod(const GlareTerms& s, double, double ev) {

@@ -25,6 +25,12 @@ double dgp(const GlareTerms& s, double ev, const DgpConstants& k);
 std::vector<double> dgp_shares(const GlareTerms& s, const DgpConstants& k);  // of each source in the sum
 double low_light_factor(double ev);                                          // below 1000 lux, else 1
 
+// Class of DGP (paper, section 2): 0 imperceptible, below 0.35; 1 perceptible; 2 disturbing, from 0.40; 3 intolerable,
+// above 0.45.  Index into dgp_classes.
+int dgp_class(double dgp);
+extern const char* const dgp_classes[5];  // the last one is "unknown"
+extern const double dgp_limits[3];
+
 double dgi(const GlareTerms& s, double background);
 double dgi_mod(const GlareTerms& s, double background, double ev);
 double ugr(const GlareTerms& s, double background);

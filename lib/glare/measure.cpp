@@ -79,7 +79,7 @@ Glare glare_of(const Luminance& lum, const Luminance& classification_image, cons
     return m;
 }
 
-Glare filled_glare(const Reading& r, const Images& images, const Measurement& m) {
+Glare filled_glare(const Reading& r, const Images& images, const Measurement& m, const FindSources& find_sources) {
     const Geometry& g = r.placed_geometry ? *r.placed_geometry : r.geometry();
     Luminance classification = images.classification;
     classification.moments = images.lum.moments;
@@ -87,7 +87,7 @@ Glare filled_glare(const Reading& r, const Images& images, const Measurement& m)
     const Luminance light = own.as(images.lum), bright = classified.as(classification);
     Photometry photometry = m;
     photometry.ev = m.placed_ev;
-    const Sources found = r.tables->find_sources(light, bright, g, m.threshold, {});
+    const Sources found = find_sources(light, bright, g, m.threshold, {});
     return glare_of(light, bright, g, r.plan().settings, r.plan().methods, photometry, found, m.task_lum, m.threshold);
 }
 
@@ -112,13 +112,25 @@ void measure_glare(const Reading& r, Images& images, Measurement& m) {
     m.sources_before_zones = std::move(found.before_zones);
     m.placed_direct_lux = m.direct_lux + gain_of_place(r, lum, classification_image, threshold);
     if (r.plan().requirements & require::filled && lum.moments && !settings.field_cut && !settings.fill)
-        m.filled = filled_glare(r, images, m);
+        m.filled = filled_glare(r, images, m, r.tables->find_sources);
     if (m.mask) m.pgsv = pgsv(*m.mask, m.mean_lum, m.ev, has_task, m.task_lum);
 }
 
 }  // namespace
 
-Measurement measure(const Reading& r) { return measure(r, r.lum, r.lum); }
+Measurement measure(const Reading& r) {
+    Measurement m = measure(r, r.lum, r.lum);
+    for (const FindSources& find : r.tables->find_by_other_reach)
+        if (m.filled) m.of_other_reach.push_back(filled_glare(r, {r.lum, r.lum, {}, {}}, m, find));
+    return m;
+}
+
+double off_by_reach(const Measurement& m, double (*value)(const Glare&)) {
+    double most = 0;
+    for (const Glare& other : m.of_other_reach)
+        if (const double off = value(other) - value(*m.filled); std::fabs(off) > std::fabs(most)) most = off;
+    return most;
+}
 
 Measurement measure(const Reading& r, const Luminance& lum, const Luminance& classification_image) {
     const Plan& plan = r.plan();

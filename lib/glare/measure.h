@@ -24,6 +24,9 @@ struct Glare : Photometry {
 
 struct Measurement : Glare, SetStatistics {
     std::optional<Glare> filled;  // by filled pixels (filled.h); none: not required, or the picture has no moments
+    // The same with sources that are joined from a pixel nearer, and from a pixel farther (require::reach).  A gap between
+    // two of them is known to a pixel, so that a larger picture may join or part them.
+    std::vector<Glare> of_other_reach;
     // Ev and Edir with drawn sources at their place in the pixel; `ev` and `direct_lux` take its centre, as evalglare
     // does.
     double placed_ev = 0, placed_direct_lux = 0;
@@ -38,6 +41,8 @@ struct Measurement : Glare, SetStatistics {
 };
 
 Measurement measure(const Reading& reading);
+// Most that a formula of filled pixels is off with another reach, 0 where that joins and parts no sources.
+double off_by_reach(const Measurement& m, double (*value)(const Glare&));
 // Another image of the same view, on any thread.  classification_image: decides which pixels are bright.
 Measurement measure(const Reading& reading, const Luminance& lum, const Luminance& classification_image);
 // Values of regions only.

@@ -2,6 +2,7 @@
 // See reading.h.
 #include "glare/reading.h"
 #include <algorithm>
+#include <cmath>
 #include "base/error.h"
 #include "base/split.h"
 #include "glare/position_index.h"
@@ -52,6 +53,19 @@ PixelSets pixel_sets(const Plan& plan, const Geometry& g) {
     return out;
 }
 
+// Where two sources are joined from a pixel nearer and from a pixel farther, but that neighbouring pixels always are.
+std::vector<FindSources> other_reaches(const Plan& plan, const Geometry& g) {
+    constexpr double diagonal = 1.5;
+    std::vector<FindSources> out;
+    const double pitch = std::sqrt(g.omega[g.index(g.width / 2, g.height / 2)]), own = plan.settings.search_opening / 2;
+    for (const double reach : {std::min(own, std::max(own - pitch, diagonal * pitch)), own + pitch}) {
+        Settings settings = plan.settings;
+        settings.search_opening = 2 * reach;
+        out.push_back(plan.methods.sources(g, settings));
+    }
+    return out;
+}
+
 // All but the regions.
 ViewTables tables_of(const SharedPlan& plan, const view::View& view, const image::Picture& picture,
                      const std::string& place) {
@@ -67,6 +81,7 @@ ViewTables tables_of(const SharedPlan& plan, const view::View& view, const image
     out.geometry = std::make_shared<Geometry>(plan->methods.geometry(view, place), picture.width, picture.height);
     const Geometry& g = *out.geometry;
     if (plan->requirements & require::sources) out.find_sources = plan->methods.sources(g, plan->settings);
+    if (plan->requirements & require::reach) out.find_by_other_reach = other_reaches(*plan, g);
     if (plan->requirements & require::rammg) out.pyramid = std::make_shared<Pyramid>(g, plan->settings.rammg_area);
     if (plan->requirements & require::medians) out.position_index.resize(g.omega.size());
     for (size_t i = 0; i < out.position_index.size(); ++i)
