@@ -52,9 +52,9 @@ double chance_of_more(const Count& c, size_t n) {
 double where(const std::vector<Uncertain>& values, double p, const std::function<double(double)>& falls) {
     double low = 0, high = 0;
     for (const Uncertain& u : values) {
-        const double far = 8 * u.error + u.bound;
-        low = &u == &values.front() ? u.value - far : std::min(low, u.value - far);
-        high = &u == &values.front() ? u.value + far : std::max(high, u.value + far);
+        const double least = u.at(-1) - 8 * u.error, most = u.at(1) + 8 * u.error;
+        low = &u == &values.front() ? least : std::min(low, least);
+        high = &u == &values.front() ? most : std::max(high, most);
     }
     low -= 1e-6;
     for (int i = 0; i < 50; ++i) {
@@ -67,7 +67,7 @@ double where(const std::vector<Uncertain>& values, double p, const std::function
 }  // namespace
 
 double chance_above(const Uncertain& u, double limit, double side) {
-    const double apart = u.value + side * u.bound - limit;
+    const double apart = u.at(side) - limit;
     if (!(u.error > 0)) return apart > 0 ? 1 : 0;
     return std::erfc(-apart / u.error / std::sqrt(2.)) / 2;
 }

@@ -11,9 +11,11 @@
 
 namespace uncertainty {
 
-// A normal error, and one that is unknown but not larger than `bound`.
+// A normal error; one that is unknown but not larger than `bound`; and one between 0 and `jump`, which has a sign.
 struct Uncertain {
-    double value = 0, error = 0, bound = 0;
+    double value = 0, error = 0, bound = 0, jump = 0;
+    // The value with all that is unknown downward (side -1) or upward (1).
+    double at(double side) const { return value + side * bound + (side * jump > 0 ? jump : 0); }
 };
 
 // The probability that the true value is above the limit, with its unknown error at `side` (-1 to 1) of the bound.

@@ -15,9 +15,11 @@ constexpr double most_pixels = 9e5;   // of a picture: 1024 x 1024 in a circle
 constexpr double dearest = 4;         // times the cheapest hour of a round: the others may not be needed after it
 constexpr double before_frame_1 = 8;  // what frame 0 and the moments cost, in frames
 
-// Noise falls with the frames and with the pixels, the error of pixels with the sides.
+// Noise falls with the frames and with the pixels, the error of pixels with the sides; a larger picture mostly knows
+// which sources are joined.
 uncertainty::Uncertain promised(const Hour& h, double frames, double larger) {
-    return {h.dgp.value, h.dgp.error * std::sqrt((h.frames + 1) / frames) / larger, h.dgp.bound / larger};
+    return {h.dgp.value, h.dgp.error * std::sqrt((h.frames + 1) / frames) / larger, h.dgp.bound / larger,
+            larger > 1 ? 0 : h.dgp.jump};
 }
 
 // The cheapest way to decide the hour if its value stays; else a picture twice as large; nothing if it is the largest.
@@ -36,7 +38,7 @@ std::optional<Need> need_of(const Hour& h, double limit) {
             Need n{h, limit, times * frames + 1, larger, 0, promised(h, times * frames + 1, larger)};
             n.price = (n.frames + before_frame_1) * larger * larger * h.pixels / pixels_of_64;
             if (times == 1 && larger <= 2) last = n;
-            const double apart = std::fabs(h.dgp.value - limit) - n.promised.bound;
+            const double apart = std::max(n.promised.at(-1) - limit, limit - n.promised.at(1));
             if (apart > 3 * n.promised.error && (!best || n.price < best->price)) best = n;
         }
     if (!best && last.larger > 1) best = last;

@@ -14,11 +14,13 @@ namespace {
 
 constexpr double normal_quantile = 1.959964;  // of 95 %
 
-// The error of DGPf from pixels that DGP.px does not show: sources near the threshold, edges within a pixel.  About
-// .005 in round pictures of 64 x 64, and half of it when the sides double.
-double error_of_pixels(double pixels) {
-    constexpr double at_64 = .005;
-    return at_64 * std::sqrt(pixels_of_64 / pixels);
+// The error of DGPf from pixels (docs/decisions/0038-a-year.md).  DGPf.px is what joined or parted sources change; the
+// rest is some thousandths in round pictures of 64 x 64, half of it when the sides double, or a share of what filling
+// the pixels adds.  Without DGPf.px it counts as all of that.
+void add_error_of_pixels(Hour& h, double pixel_error, std::optional<double> joins) {
+    const double at_64 = joins ? .002 : .005, share = joins ? 1. / 3 : 1;
+    h.dgp.bound = std::max(at_64 * std::sqrt(pixels_of_64 / h.pixels), share * std::fabs(pixel_error));
+    h.dgp.jump = joins.value_or(0);
 }
 
 // Where a column stands; nothing if the table lacks it.
@@ -31,14 +33,14 @@ std::optional<size_t> column(const std::vector<std::string>& names, const std::s
 // DGPf where it is there, else DGP; of sensors E, whose limits are called lo and hi.
 struct Columns {
     std::optional<size_t> view, sky, frame, grid, point;  // among labels
-    std::optional<size_t> value, low, high, pixel_error, ev, pixels;
+    std::optional<size_t> value, low, high, pixel_error, joins, ev, pixels;
 
     explicit Columns(const report::NumberTable& t) {
         view = column(t.labels, "view"), sky = column(t.labels, "sky"), frame = column(t.labels, "frame");
         grid = column(t.labels, "grid"), point = column(t.labels, "point");
         const std::string name = grid ? "E" : column(t.names, "DGPf") ? "DGPf" : "DGP", end = grid ? "" : name + ".";
         value = column(t.names, name), low = column(t.names, end + "lo"), high = column(t.names, end + "hi");
-        pixel_error = column(t.names, "DGP.px");
+        pixel_error = column(t.names, "DGP.px"), joins = column(t.names, "DGPf.px");
         ev = column(t.names, "Ev"), pixels = column(t.names, "pixels");
         if (!sky) base::fail(t.name, "has no column sky with the names of hours (ptrace -wea)");
         if (!value) base::fail(t.name, grid ? "has no column E" : "has no column DGPf or DGP");
@@ -73,7 +75,8 @@ Hour hour_of(const Columns& c, const std::vector<double>& row, const std::vector
         h.dgp = {row[*c.value], 0, 1};  // DGP is at most 1
         return h;
     }
-    if (c.low) h.dgp.bound = std::max(error_of_pixels(h.pixels), c.pixel_error ? std::fabs(row[*c.pixel_error]) : 0);
+    const auto cell = [&](const std::optional<size_t>& at) { return at ? std::optional(row[*at]) : std::nullopt; };
+    if (c.low) add_error_of_pixels(h, cell(c.pixel_error).value_or(0), cell(c.joins));
     return h;
 }
 

@@ -23,7 +23,9 @@ const char* class_name(int k) {
     return names[k];
 }
 
-bool holds(const Hour& h, double limit) { return std::fabs(h.dgp.value - limit) < h.half_width() + h.dgp.bound; }
+bool holds(const Hour& h, double limit) {
+    return h.dgp.at(-1) - h.half_width() < limit && limit < h.dgp.at(1) + h.half_width();
+}
 
 Verdict judge(const View& view, double alpha) {
     Verdict v;

@@ -16,7 +16,7 @@ for month in 1 2 3; do
 done >> y.wea
 hours() {
     ptrace -w- -vf $office/view.vf -x 24 -y 24 -wea y.wea "$@" $office/materials.rad $office/layout.rad |
-        ptaccum -every x2/8 | vcmetrics -W- -metrics Ev,DGPf,DGP.px,pixels -ci 95
+        ptaccum -every x2/8 | vcmetrics -W- -metrics Ev,DGPf,DGP.px,DGPf.px,pixels -ci 95
 }
 hours -frames 9 > all.tsv 2> said
 
@@ -53,7 +53,7 @@ check 'without their number pixels are taken as large, without intervals values 
 check 'shades that close by glare, of a second table that has these hours' '
     ptrace -w- -vf $office/view.vf -x 24 -y 24 -wea y.wea -frames 9 $office/materials.rad $office/layout.rad \
         $office/blinds.rad 2> said | ptaccum -every x2/8 |
-        vcmetrics -W- -metrics Ev,DGPf,DGP.px,pixels -ci 95 > blinds.tsv
+        vcmetrics -W- -metrics Ev,DGPf,DGP.px,DGPf.px,pixels -ci 95 > blinds.tsv
     vcyear -closed blinds.tsv -close .9 all.tsv > rarely; vcyear -closed blinds.tsv -close 0 all.tsv > always
     head -n 5 always | cmp - <(vcyear blinds.tsv)
     grep -qx "shades    closed in 12 hours: DGP above 0.00" always; [ "$(wc -l < rarely)" = 6 ]'

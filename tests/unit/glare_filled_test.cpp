@@ -78,10 +78,11 @@ TEST_CASE("the sun in a uniform surround, at any place of pixels of any size") {
             SunPicture sun;
             sun.side = side;
             const double right = side / 2 + place, up = std::round(side * (.5 + 25. / 180)) + place;
-            const auto m = measured(sun.at(right, up), {"DGP", "DGPf", "DGP.px", "n_sourcesf"});
+            const auto m = measured(sun.at(right, up), {"DGP", "DGPf", "DGP.px", "DGPf.px", "n_sourcesf"});
             CHECK(m.at("DGPf") == doctest::Approx(sun.dgp(right, up)).epsilon(.001 / .5));
             CHECK(m.at("DGP.px") == doctest::Approx(m.at("DGPf") - m.at("DGP")));
             CHECK(m.at("n_sourcesf") == 1);
+            CHECK(m.at("DGPf.px") == 0);
             if (side == 64) CHECK(m.at("DGP") < m.at("DGPf") - .02);
         }
 }
@@ -119,6 +120,43 @@ TEST_CASE("both moments of a pixel are kept, and what no picture can have is bor
     for (size_t i = 1; i < 4; ++i) CHECK(std::isfinite(f.grey[i] / f.share[i]));
     CHECK(f.share[1] == 1);
     CHECK(f.share[2] == 1);
+}
+
+// A window over a patch of sun, so many radians below it, by means and variances of the pixels.
+static image::Picture window_and_patch(double gap_rad, int side) {
+    constexpr int places = 16;
+    const auto lum = [&](double right, double up) {  // from the middle, 1 at the rim
+        const double edge = 3.7 / 32, gap = gap_rad / (pi / 2);
+        if (std::fabs(right) < .3 && up > edge && up < .5) return 6000.;
+        return std::fabs(right) < .4 && up < edge - gap && up > -.5 ? 2500. : 300.;
+    };
+    std::vector<double> means;
+    std::vector<float> moments;
+    for (int row = 0; row < side; ++row)
+        for (int x = 0; x < side; ++x) {
+            double sum = 0, squares = 0;
+            for (int k = 0; k < places * places; ++k) {
+                const double right = x + (k % places + .5) / places, down = row + (k / places + .5) / places;
+                const double L = lum(2 * right / side - 1, 1 - 2 * down / side) / (places * places);
+                sum += L, squares += L * L * places * places;
+            }
+            means.push_back(sum);
+            moments.insert(moments.end(), {float((squares - sum * sum) / std::pow(cdm2_per_grey, 2)), 0, 0, 0});
+        }
+    image::Picture p = fisheye_of(means, side);
+    p.moments = std::make_shared<const std::vector<float>>(std::move(moments));
+    return p;
+}
+
+TEST_CASE("DGPf.px holds what a larger picture changes that parts two sources, and is 0 where their gap is clear") {
+    const std::vector<std::string> names{"DGPf", "DGPf.px", "n_sourcesf"};
+    const auto small = measured(window_and_patch(.115, 64), names), large = measured(window_and_patch(.115, 128), names);
+    CHECK(small.at("n_sourcesf") == 1);
+    CHECK(large.at("n_sourcesf") == 2);
+    const double change = large.at("DGPf") - small.at("DGPf");
+    CHECK(std::fabs(change) > .01);
+    CHECK(small.at("DGPf.px") == doctest::Approx(change).epsilon(.05));
+    for (const double gap : {.03, .25}) CHECK(measured(window_and_patch(gap, 64), names).at("DGPf.px") == 0);
 }
 
 // 200 streams in which the variance inside of each of four bright pixels is known from two noisy halves.

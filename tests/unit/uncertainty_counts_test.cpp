@@ -52,6 +52,11 @@ TEST_CASE("a bound of the error widens both, however many values there are") {
     CHECK(n.low == 90);
     CHECK(n.high == 110);
     CHECK(exceeded_interval(year, 50, .05).half_width() == doctest::Approx(.0105));
+    for (Uncertain& u : year) u.bound = 0, u.jump = -.0105;
+    CHECK(count_above(year, .8995, .05).low == 90);
+    CHECK(count_above(year, .8995, .05).high == 100);
+    CHECK(exceeded_interval(year, 50, .05).high == doctest::Approx(.949));
+    CHECK(exceeded_interval(year, 50, .05).low == doctest::Approx(.949 - .0105));
 }
 
 // Years of 300 hours, a third of them dark; DGP like an office's, errors that grow with it, and estimated by eight

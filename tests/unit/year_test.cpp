@@ -94,6 +94,23 @@ TEST_CASE("small pictures have an error of pixels beyond DGP.px, half of it at t
     CHECK(bound("823552") == .001);
 }
 
+TEST_CASE("with DGPf.px the error of pixels is smaller, and what it says counts on its side alone") {
+    TempFolder folder;
+    const auto dgp = [&](const char* px, const char* joins) {
+        const std::string text = "sky\tDGPf\tDGPf.lo\tDGPf.hi\tDGP.px\tDGPf.px\tpixels\n0621_1430\t.41\t.409\t.411\t";
+        return read_tables({folder.holding("p.tsv", text + px + "\t" + joins + "\t3217\n")}).views[0].hours[0];
+    };
+    CHECK(dgp("-.03", "0").dgp.bound == doctest::Approx(.01));
+    const Hour down = dgp(".001", "-.02"), up = dgp(".001", ".02");
+    CHECK(down.dgp.at(-1) == doctest::Approx(.388));
+    CHECK(down.dgp.at(1) == doctest::Approx(.412));
+    CHECK(up.dgp.at(-1) == doctest::Approx(.408));
+    CHECK(up.dgp.at(1) == doctest::Approx(.432));
+    CHECK(holds(down, .40));
+    CHECK(!holds(up, .40));
+    CHECK(holds(up, .43));
+}
+
 TEST_CASE("views are told apart; exact tables have no intervals") {
     TempFolder folder;
     const std::string a =
