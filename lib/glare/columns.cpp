@@ -18,8 +18,8 @@ using require::sources, require::rammg, require::medians, require::mask, require
 
 enum Filled { filled_too };
 
-// A formula of G has a meaning for filled pixels as well: with filled_too there are columns NAMEf; NAME.px, the difference
-// from NAMEu; and NAMEf.px.  Others, of M, read what only whole pixels have, and do not compile with it.
+// A formula of G has a meaning for filled pixels as well: with filled_too there are columns NAMEf; NAME.px, the
+// difference from NAMEu; and NAMEf.px.  Others, of M, read what only whole pixels have, and do not compile with it.
 struct Entry {
     const char* name;
     Requirements required;

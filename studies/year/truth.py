@@ -50,7 +50,7 @@ def render(out, scene, name, hours, size, frames, seed=1):
         sums = subprocess.Popen(["ptaccum", "-every", "x2/8"], stdin=pipe.stdout, stdout=subprocess.PIPE)
         part = path.with_suffix(".part")
         with open(part, "w") as out:
-            subprocess.run(["vcmetrics", "-metrics", "Ev,DGPf,DGP.px,pixels", "-ci", "95"], stdin=sums.stdout,
+            subprocess.run(["vcmetrics", "-metrics", "Ev,DGPf,DGP.px,DGPf.px,pixels", "-ci", "95"], stdin=sums.stdout,
                            stdout=out, check=True)
         assert pipe.wait() == 0 and sums.wait() == 0
         part.rename(path)
@@ -62,13 +62,19 @@ class Hour:
 
     def __init__(self, row):
         self.row = row
-        value, low, high, self.ev, pixels, px = (
-            float(row[name]) for name in ("DGPf", "DGPf.lo", "DGPf.hi", "Ev", "pixels", "DGP.px"))
+        value, low, high, self.ev, pixels, px, joins = (
+            float(row[name]) for name in ("DGPf", "DGPf.lo", "DGPf.hi", "Ev", "pixels", "DGP.px", "DGPf.px"))
         known = not math.isnan(low)
         self.dgp, self.half = ((low + high) / 2, (high - low) / 2) if known else (value, 0 if self.ev == 0 else 1)
-        self.bound = max(.005 * math.sqrt(3217 / pixels), abs(px)) if self.ev else 0
+        bound = max(.002 * math.sqrt(3217 / pixels), abs(px) / 3) if self.ev else 0
+        self.low, self.high = self.dgp - self.half - bound + min(0, joins), self.dgp + self.half + bound + max(0, joins)
         self.pixels, self.px = pixels, px
         self.order = (known or self.ev == 0, pixels, float(row["frame"]))
+
+    def holds(self, dgp, more=0):
+        """Does its interval, with its pixels' error, hold this value?"""
+        return self.low - more <= dgp <= self.high + more
+
 
 
 def hours_of(*paths):
@@ -130,7 +136,7 @@ def judge(scene, out):
         off = [said[name].dgp - exact[name].dgp for name in names]
         within = sum(abs(x) <= .01 for x in off)
         same = sum(class_of(said[name].dgp) == class_of(exact[name].dgp) for name in names)
-        inside = sum(abs(x) <= said[name].half + said[name].bound + exact[name].half for x, name in zip(off, names))
+        inside = sum(said[name].holds(exact[name].dgp, exact[name].half) for name in names)
         larger = sum(said[name].pixels > first[name].pixels for name in names)
         print(f"{scene}: {what} ({larger} larger): off by {sum(map(abs, off)) / len(off):.4f} in the mean (bias "
               f"{sum(off) / len(off):+.4f}), .01 or less in {within}, class equal in {same}, within interval and "

@@ -27,7 +27,7 @@ def pooled(scene, out):
     words = " ".join(sorted(names))
     exact = hours_of(render(out, scene, f"pool.{TRUTH}.tsv", words, TRUTH, 9, 99))
     seeds = [hours_of(render(out, scene, f"pool.64.{k}.tsv", words, 64, 9, k)) for k in range(2, SEEDS + 2)]
-    sure = {name: h for name, h in year.items() if name not in exact and near(h.dgp) > h.half + h.bound}
+    sure = {name: h for name, h in year.items() if name not in exact and not any(map(h.holds, truth.LIMITS))}
     return {name: ([seed[name] for seed in seeds], exact[name]) for name in names}, sure
 
 
@@ -62,7 +62,7 @@ def main():
     for scene in sys.argv[2:] or ["office", "translucent"]:
         pool, sure = pooled(scene, out)
         off = [line.dgp - h.dgp for lines, h in pool.values() for line in lines]
-        within = sum(abs(line.dgp - h.dgp) <= line.half + line.bound for lines, h in pool.values() for line in lines)
+        within = sum(line.holds(h.dgp) for lines, h in pool.values() for line in lines)
         print(f"{scene}: {len(pool)} hours, {SEEDS} seeds: off by {sum(map(abs, off)) / len(off):.4f} in the mean "
               f"(bias {sum(off) / len(off):+.4f}), within interval and pixels in {within / len(off):.1%}; "
               f"{len(sure)} others")

@@ -150,7 +150,8 @@ static image::Picture window_and_patch(double gap_rad, int side) {
 
 TEST_CASE("DGPf.px holds what a larger picture changes that parts two sources, and is 0 where their gap is clear") {
     const std::vector<std::string> names{"DGPf", "DGPf.px", "n_sourcesf"};
-    const auto small = measured(window_and_patch(.115, 64), names), large = measured(window_and_patch(.115, 128), names);
+    const auto small = measured(window_and_patch(.115, 64), names),
+               large = measured(window_and_patch(.115, 128), names);
     CHECK(small.at("n_sourcesf") == 1);
     CHECK(large.at("n_sourcesf") == 2);
     const double change = large.at("DGPf") - small.at("DGPf");
