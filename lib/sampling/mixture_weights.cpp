@@ -22,7 +22,9 @@ namespace {
 
 using namespace kernels;
 
-constexpr uint32_t EYE_SIDE = 32;   // pilots from the eye: squared
+constexpr uint32_t LEAST_SIDE = 16, MOST_SIDE = 32;  // of the square of pilots from the eye
+// Pixels of the picture's side for one of them: in a small picture learning would take as long as four frames.
+constexpr double PIXELS = 4;
 constexpr uint32_t PILOTS = 8;      // from each point that the eye sees; one from each point that these reach
 constexpr float MOST_AIMED = 0.5f;  // of the directions, so that unknown light is sampled, too
 constexpr size_t AIMED = 256;       // pilots to each portal
@@ -87,9 +89,11 @@ private:
 
     std::vector<Place> seen() {
         std::vector<device::PilotRay> rays;
-        for (uint32_t i = 0; i < EYE_SIDE * EYE_SIDE; i++) {
-            const float x = float(i % EYE_SIDE) + 0.5f, y = float(i / EYE_SIDE) + 0.5f;
-            rays.push_back({{x / EYE_SIDE, y / EYE_SIDE, 0}, {0, 0, 0}, PILOT_FROM_EYE});
+        const double pixels = std::sqrt(double(par_.nx) * par_.ny);
+        const uint32_t side = std::clamp(uint32_t(pixels / PIXELS), LEAST_SIDE, MOST_SIDE);
+        for (uint32_t i = 0; i < side * side; i++) {
+            const float x = float(i % side) + 0.5f, y = float(i / side) + 0.5f;
+            rays.push_back({{x / float(side), y / float(side), 0}, {0, 0, 0}, PILOT_FROM_EYE});
         }
         std::vector<Place> places;
         for (const device::PilotEnd& end : trace(rays))
