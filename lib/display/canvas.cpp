@@ -27,6 +27,22 @@ void hatch(Image8& image, const Rectangle& r) {
             if ((x + y) % 4 == 0) fill(image, x, y, x + 1, y + 1, black);
 }
 
+std::string path_of(const Rectangle& r) { return fmt::format("M{} {}h{}v{}h-{}z", r.x, r.y, r.width, r.height, r.width); }
+
+// A browser shows the title under the pointer.
+std::string spots_text(const Canvas& c) {
+    if (c.spots.empty()) return "";
+    std::string text = "<g id=\"points\" fill=\"none\" pointer-events=\"all\">\n";
+    for (const Spot& spot : c.spots) {
+        text += "<path d=\"";
+        for (const Rectangle& r : spot.parts) text += path_of(r);
+        text += "\"><title>" + escaped(spot.text) + "</title></path>\n";
+    }
+    text += "</g>\n";
+    for (const int x : c.spots_again) text += fmt::format("<use href=\"#points\" x=\"{}\"/>\n", x);
+    return text;
+}
+
 std::string svg_text(const Canvas& c) {
     std::string text = fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" "
@@ -39,7 +55,7 @@ std::string svg_text(const Canvas& c) {
     for (const auto& [colour, rectangles] : c.layers) {
         text += fmt::format("<path fill=\"#{:02x}{:02x}{:02x}\" d=\"", colour[0], colour[1], colour[2]);
         for (const Rectangle& r : rectangles) {
-            const std::string path = fmt::format("M{} {}h{}v{}h-{}z", r.x, r.y, r.width, r.height, r.width);
+            const std::string path = path_of(r);
             text += path;
             if (r.hatched) hatched += path;
         }
@@ -48,7 +64,7 @@ std::string svg_text(const Canvas& c) {
     text += "<path fill=\"url(#h)\" d=\"" + hatched + "\"/>\n<g font-family=\"sans-serif\" font-size=\"12\">\n";
     for (const Words& w : c.words)
         text += fmt::format("<text x=\"{}\" y=\"{}\">{}</text>\n", w.x, w.y + 10, escaped(w.text));
-    return text + "</g>\n</svg>\n";
+    return text + "</g>\n" + spots_text(c) + "</svg>\n";
 }
 
 std::string png_of(const Canvas& c, const std::string& comment) {

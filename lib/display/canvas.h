@@ -18,10 +18,18 @@ struct Words {
     std::string text;
 };
 
+// What a part of the drawing is, for the pointer (SVG).
+struct Spot {
+    std::vector<Rectangle> parts;
+    std::string text;
+};
+
 struct Canvas {
     int width = 0, height = 0;
     std::vector<std::pair<Colour, std::vector<Rectangle>>> layers;  // later ones cover earlier ones
     std::vector<Words> words;
+    std::vector<Spot> spots;
+    std::vector<int> spots_again;  // and this far to the right
     std::vector<Rectangle>& of(const Colour& colour);  // a layer, made where there is none
 };
 

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "display/point_cells.h"
 #include "display/tone.h"
@@ -13,6 +14,7 @@ namespace display {
 namespace {
 
 constexpr int gap = 12, line = 16, side = 360, tall = 480, largest_cell = 24, bar = 14;  // pixels
+constexpr double least_spot = 3;  // pixels of a cell
 constexpr int column_width = side + 3 * gap;
 constexpr Colour unknown{238, 238, 238}, black{0, 0, 0}, white{255, 255, 255};
 
@@ -44,6 +46,7 @@ public:
                             places_[size_t(y) * size_t(width) + size_t(x)]);
     }
     int width = 0, height = 0;
+    double cell() const { return scale_ * cells_.cell(); }
     int point(int x, int y) const { return at(x, y).point; }
     double between(int x, int y, const std::vector<double>& values) const {
         double sum = 0, weight = 0;
@@ -119,6 +122,18 @@ void add_map(Canvas& c, const Raster& raster, const MapColumn& column, size_t gr
     if (column.limit) add_contour(c, raster, values, *column.limit, x0, y0);
 }
 
+void add_spots(Canvas& c, const Raster& raster, size_t grid, const WordsOfPoint& words, int x0, int y0) {
+    std::map<long, Spot> spots;
+    const auto of = [&](int x, int y) -> long { return raster.point(x, y); };
+    add_runs(raster.width, raster.height, of, [&](long point, const Rectangle& r) {
+        spots[point].parts.push_back({x0 + r.x, y0 + r.y, r.width, r.height});
+    });
+    for (auto& [point, spot] : spots) {
+        spot.text = words(grid, size_t(point));
+        c.spots.push_back(std::move(spot));
+    }
+}
+
 void add_legend(Canvas& c, const MapColumn& column, const Scale& scale, const ColourTable& table, int x0, int y0) {
     constexpr int step = 4;
     for (int x = 0; x < side; x += step)
@@ -145,7 +160,7 @@ void add_legend(Canvas& c, const MapColumn& column, const Scale& scale, const Co
 }  // namespace
 
 Canvas point_maps(const std::vector<std::string>& names, const std::vector<std::vector<image::Point>>& grids,
-                  const std::vector<MapColumn>& columns) {
+                  const std::vector<MapColumn>& columns, const WordsOfPoint& words) {
     Canvas c;
     c.width = gap + int(columns.size()) * column_width;
     c.height = gap;
@@ -163,9 +178,11 @@ Canvas point_maps(const std::vector<std::string>& names, const std::vector<std::
         c.words.push_back({gap, c.height, names[g]});
         c.height += line;
         for (size_t k = 0; k < columns.size(); ++k) add_map(c, raster, columns[k], g, tables[k], left(k), c.height);
+        if (words && raster.cell() >= least_spot) add_spots(c, raster, g, words, left(0), c.height);
         c.height += raster.height + gap;
     }
     for (size_t k = 0; k < columns.size(); ++k) add_legend(c, columns[k], scales[k], tables[k], left(k), c.height + 4);
+    for (size_t k = 1; k < columns.size(); ++k) c.spots_again.push_back(left(k) - left(0));
     c.height += bar + 2 * line + 2 * gap;
     return c;
 }

@@ -3,6 +3,7 @@
 // Points are seen along the axis, or against their mean direction, along which they spread most: a horizontal grid from
 // above with +y up, a wall from its front with +z up.
 #pragma once
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,8 +23,10 @@ struct MapColumn {
     double top = 0;                           // value at the end of a linear scale from 0; 0: the scale fits the values
 };
 
-// A row of maps for each grid, a column for each quantity.
+// A row of maps for each grid, a column for each quantity.  words: of a point, for the pointer; cells that are too small
+// to be pointed at have none.
+using WordsOfPoint = std::function<std::string(size_t grid, size_t point)>;
 Canvas point_maps(const std::vector<std::string>& names, const std::vector<std::vector<image::Point>>& grids,
-                  const std::vector<MapColumn>& columns);
+                  const std::vector<MapColumn>& columns, const WordsOfPoint& words = {});
 
 }  // namespace display

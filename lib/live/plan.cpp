@@ -11,6 +11,7 @@
 #include "base/printable.h"
 #include "base/split.h"
 #include "base/value.h"
+#include "image/points.h"
 #include "live/child.h"
 #include "live/commands.h"
 #include "live/json.h"
@@ -22,6 +23,18 @@ namespace {
 constexpr int64_t first_frames = 4;                 // of the page's picture
 constexpr auto patience = std::chrono::seconds(3);  // for a picture that is asked for; a scene may be broken
 constexpr double greatest_limit_lx = 1e6;
+
+std::vector<base::FileStamp> stamps_of(const std::vector<std::string>& points) {
+    std::vector<base::FileStamp> out;
+    for (const std::string& path : points) {
+        out.push_back(base::stamp_of(path));
+        try {
+            for (const std::string& file : image::point_files({path})) out.push_back(base::stamp_of(file));
+        } catch (const base::Error&) {  // a folder without points: ptrace says so
+        }
+    }
+    return out;
+}
 }  // namespace
 
 Plan::Plan(const PlanOptions& options, const Files& files, Live& live)
@@ -38,6 +51,10 @@ void Plan::look(bool asked) {
     for (const std::string& line : lines_->read()) take(line);
     const base::FileStamp now = base::stamp_of(options_.sum);
     if (!(now == stamp_)) stamp_ = now, ++number_;
+    if (auto points = stamps_of(options_.points); points != points_) {
+        if (!points_.empty()) ++points_changes_, number_ += number_ > 0;
+        points_ = std::move(points);
+    }
     ended_ = begun_ && write_whole(options_.control, "") == Written::nobody;
     send(live_.ask([](const Design& d) {
         std::vector<std::optional<std::string>> all;
@@ -74,7 +91,8 @@ void Plan::send(const std::vector<std::optional<std::string>>& texts) {
 void Plan::take(const std::string& line) {
     if (base::begins_with(line, "ptrace: what ")) {
         unanswered_ -= std::min<size_t>(unanswered_, 1);
-        edit_ = base::split_list(line, '\t').at(1);
+        long long edit = 0;
+        if (base::parse_integer(base::split_list(line, '\t').at(1), edit)) edit_ = edit;
         return;
     }
     const auto said = [&](const Design& d) {
@@ -85,10 +103,11 @@ void Plan::take(const std::string& line) {
 
 void Plan::show() {
     const auto texts = live_.ask([](const Design& d) { return d.texts; });
-    bool waits = unanswered_ > 0;
+    bool waits = unanswered_ > 0 || points_drawn_ != points_changes_;
     for (size_t n = 0; n < texts.size(); ++n) waits = waits || texts[n].now != given_[n];
+    waits_ = waits;
     const std::string text = "{\"number\":" + std::to_string(number_) + ",\"limit\":" + json::number(limit_lx_) +
-                             ",\"edit\":" + edit_ + ",\"waits\":" + (waits ? "true" : "false") +
+                             ",\"edit\":" + std::to_string(edit_) + ",\"waits\":" + (waits ? "true" : "false") +
                              ",\"ended\":" + (ended_ ? "true}" : "false}");
     if (text == shown_) return;
     shown_ = text;
@@ -105,18 +124,26 @@ Answer Plan::limit(const std::string& text) {
     return {204, "", ""};
 }
 
-Asked::Found Plan::draw() const {
-    const size_t number = number_;
-    const std::string map = options_.sum + ".svg", limit = json::number(limit_lx_);
+Plan::Drawing Plan::draw(const std::string& map) {
+    const size_t number = number_, points = points_changes_;
     std::vector<std::string> command = options_.measure;
-    command.insert(command.end(), {"-metrics", "mean,min,median,U0,share" + limit, "-format", "jsonl", "-over", map,
-                                   "-W-", options_.sum});
+    command.insert(command.end(), {"-metrics", "mean,min,median,U0,share" + json::number(limit_lx_), "-format", "jsonl",
+                                   "-over", map, "-W-", options_.sum});
     const Outcome done = run(command, "", -1);
+    if (done.status == 0) points_drawn_ = points;  // it knows the points of a sum by their hash
     std::ostringstream svg;
     svg << std::ifstream(map, std::ios::binary).rdbuf();
-    return {number, done.status,
-            "\"limit\":" + limit + ",\"numbers\":" + done.text.substr(0, done.text.find('\n')) +
-                ",\"map\":" + base::quoted_json(svg.str()) + "}"};
+    const std::string row = done.text.substr(0, done.text.find('\n'));
+    const size_t edit = row.find("\"edit\": ");
+    const bool is_old = edit == std::string::npos || std::atoll(row.c_str() + edit + 8) < edit_;
+    return {number, done.status, row, svg.str(), is_old || waits_};
+}
+
+Asked::Found Plan::draw() {
+    const std::string limit = json::number(limit_lx_);
+    const Drawing d = draw(options_.sum + ".svg");
+    return {d.number, d.status,
+            "\"limit\":" + limit + ",\"numbers\":" + d.row + ",\"map\":" + base::quoted_json(d.map) + "}"};
 }
 
 }  // namespace live

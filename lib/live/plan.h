@@ -21,7 +21,8 @@ struct PlanOptions {
     std::string control;               // FIFO of its ptrace; the first line is the sign to begin; empty: no pipe
     std::string lines;                 // FIFO of what the pipe says
     std::string sum;                   // file of ptaccum (-batches, .exr)
-    std::vector<std::string> measure;  // vcmetrics with the point files of ptrace
+    std::vector<std::string> points;   // its point files and folders of them
+    std::vector<std::string> measure;  // vcmetrics with these
 };
 
 class Plan {
@@ -29,7 +30,15 @@ public:
     Plan(const PlanOptions& options, const Files& files, Live& live);
     void look(bool asked = false);          // at the clock's pace; asked: the page has asked the renderer for something
     Answer limit(const std::string& text);  // of the line in the map and of the share, lx
-    Asked::Found draw() const;              // text: numbers of the grids and the map, as JSON
+    Asked::Found draw();                    // text: numbers of the grids and the map, as JSON
+    bool is_there() const { return lines_.has_value(); }
+    struct Drawing {
+        size_t number;
+        int status;            // of vcmetrics
+        std::string row, map;  // its line (jsonl) and the map (SVG)
+        bool is_old;           // of the model or the points before a change
+    };
+    Drawing draw(const std::string& map);  // a file of this name
 
 private:
     bool rests() const;
@@ -41,13 +50,16 @@ private:
     const Files& files_;
     Live& live_;
     std::optional<FifoLines> lines_;
-    base::FileStamp stamp_;          // of the sum
+    base::FileStamp stamp_;  // of the sum
+    std::vector<base::FileStamp> points_;
+    std::atomic<size_t> points_changes_{0}, points_drawn_{0};  // points_drawn_: so many of them are in what was drawn
     std::atomic<size_t> number_{0};  // of what can be drawn
     std::atomic<double> limit_lx_{300};
     std::vector<std::optional<std::string>> given_;  // texts that stand for the files in that pipe
     bool resting_ = true, begun_ = false, ended_ = false;
     size_t unanswered_ = 0;  // questions for the number of the edit that texts have become
-    std::string edit_ = "0";
+    std::atomic<long long> edit_{0};
+    std::atomic<bool> waits_{false};
     // what the page asked the renderer for, and the edit of the picture then
     std::chrono::steady_clock::time_point asked_;
     std::optional<int64_t> before_;

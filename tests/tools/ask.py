@@ -7,5 +7,5 @@ import urllib.request
 
 with open('said') as said: host, token = re.search(r'(http://[^/]+)/#(\w+)', said.read()).groups()
 body = sys.argv[3].encode() if len(sys.argv) > 3 else None
-print(urllib.request.urlopen(urllib.request.Request(
-    host + sys.argv[2], method=sys.argv[1], data=body, headers={'X-Luxpipe-Token': token})).read().decode('latin1'))
+sys.stdout.buffer.write(urllib.request.urlopen(urllib.request.Request(
+    host + sys.argv[2], method=sys.argv[1], data=body, headers={'X-Luxpipe-Token': token})).read() + b'\n')

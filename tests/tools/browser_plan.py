@@ -30,11 +30,53 @@ check('the numbers are those of the server', soon(told, SECONDS), rows())
 check('both halves of the drawing are shown, each in its frame', page.js("""[...document.querySelectorAll('#plan div')]
     .every((d) => d.clientWidth > 200 && Math.abs(d.firstChild.clientWidth / d.clientWidth - 2) < .02)"""))
 
+# what stands under the pointer, and from point to point by keys
+said = lambda: page.text('#plan-point')
+lines = [line.split() for line in open('desk.pts')]
+map_places = lambda map: re.findall(r'<path d="M(\d+) (\d+)h(\d+)v(\d+)h-\d+z"><title>(.*?)</title>', map)
+plan = lambda: json.loads(page.ask(f"/plan?picture={page.js('document.body.dataset.plan')}")[1])
+
+
+def pointed(half, k):
+    """Points at the middle of a point's cell, in a half of the drawing; is it said?"""
+    map = plan()['map']
+    width, (x, y, w, h, _) = int(re.search(r'width="(\d+)"', map)[1]), map_places(map)[k]
+    again = int(re.search(r'<use href="#points" x="(\d+)"', map)[1])
+    page.chrome.execute_script("""const [half, x, y, width] = arguments, image = document.querySelectorAll('#plan img')[half];
+        image.scrollIntoView({ block: 'center' });
+        const box = image.getBoundingClientRect(), by = box.width / width;
+        image.dispatchEvent(new PointerEvent('pointermove', { clientX: box.left + x * by, clientY: box.top + y * by, bubbles: true }));""",
+        half, half * again + int(x) + int(w) / 2, int(y) + int(h) / 2, width)
+    grid, at = ('desk', lines[k]) if k < 40 else ('<b>&', [(1, 1, .1), (2, 1, .1)][k - 40])
+    wanted = f"{grid}: [\\d.]+( ± [\\d.]+)? lx at {', '.join(f'{float(v):g}' for v in at[:3])}"
+    return re.fullmatch(wanted, said())
+
+
+check('the point under the pointer is said, in both halves', all(
+    soon(lambda: pointed(half, k), SECONDS) for half in (0, 1) for k in (0, 7, 33, 41)), said())
+check('and marked in both', page.js("""[...document.querySelectorAll('#plan b')].every((b) => b.checkVisibility() &&
+    ((m, d) => m.left > d.left && m.right < d.right && m.top > d.top && m.bottom < d.bottom)(b.getBoundingClientRect(),
+    b.parentElement.getBoundingClientRect()))"""))
+page.focus('#plan')
+soon(lambda: pointed(0, 5), SECONDS)
+place = lambda: [round(float(v), 2) for v in said().split(' at ')[1].split(', ')]
+steps = []
+for key in (Keys.ARROW_RIGHT, Keys.ARROW_UP, Keys.ARROW_UP, Keys.ARROW_LEFT, Keys.ARROW_DOWN):
+    page.keys('#plan', key)
+    steps.append(place())
+check('arrow keys go from point to point', steps == [[3.45, .4, .76], [3.45, 1.3, .76], [3.45, 2.2, .76],
+                                                     [3, 2.2, .76], [3, 1.3, .76]], steps)
+for _ in range(9): page.keys('#plan', Keys.ARROW_DOWN)
+check('and to the next grid', said().startswith('<b>&: ') and place()[1:] == [1, .1], said())
+for _ in range(9): page.keys('#plan', Keys.ARROW_RIGHT)
+check('where they end at the last point', place() == [2, 1, .1], said())
+
 before = page.js('document.querySelector("#plan img").src')
 page.type('#plan-limit', '2000')
 heading = lambda: page.text('#plan-numbers thead')
 check('another limit has another share', soon(lambda: '≥ 2000 lx' in heading(), SECONDS), heading())
 check('and another map', page.until(f'document.querySelector("#plan img").src != "{before}"') and page.until(drawn))
+check('where the same point is chosen', said().startswith('<b>&: ') and place() == [2, 1, .1], said())
 page.type('#plan-limit', '-3')
 check('a wrong limit is refused', soon(lambda: not page.js('document.getElementById("plan-limit").validity.valid')))
 check('and changes nothing', state()['limit'] == 2000)

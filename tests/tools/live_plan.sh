@@ -17,7 +17,7 @@ of_state() { grep -ao "\"$1\":[^,}]*" state | cut -d : -f 2; }
 # EDIT: the plan with all frames of that edit, which no later one is to follow
 whole() {
     await "state; ask GET /plan?picture=\$(of_state number) > plan; grep -q '\"frame\": 8, .*\"edit\": $1,' plan"
-    state; [ "$(of_state waits)" = false ]; [ "$(of_state edit)" -le "$1" ]
+    await "state; [ \"\$(of_state waits)\" = false ]"; [ "$(of_state edit)" -le "$1" ]
 }
 # numbers and map of that plan, without the seconds
 told() { python3 -c 'import json; p = json.load(open("plan")); print({k: v for k, v in p["numbers"].items() if k not in
@@ -43,6 +43,13 @@ check 'numbers and map are those of a batch run' '
     ask POST /control "view -vp 2 2.5 1.2"; await "cut -f 3 lines | grep -qx 3"; state; [ "$(of_state edit)" = 2 ]
     sed "s/ 14 / 9 /" sky_day.rad > new; mv new sky_day.rad
     whole 3; told; batch 2000 $scene | cmp - told; end'
+check 'a change of a file of points begins the plan anew; a mistake in it is said, and the plan waits until it is mended' '
+    begin $points; whole 0; cp desk.pts good; sed 1,9d good > new; mv new desk.pts; whole 1; told; batch 300 $scene | cmp - told
+    echo "1 2 3" >> desk.pts; await "grep -q desk.pts:32: said"
+    await "state; [ \"\$(of_state waits)\" = true ]"; ! ask GET "/plan?picture=$(of_state number)"
+    ask GET "/next?picture=99999" | grep -aq "messages.:.*desk.pts:32: .*current.:[1-9]"
+    sed 1,9d good > new; mv new desk.pts; whole 1; told; batch 300 $scene | cmp - told
+    mv good desk.pts; whole 2; told; batch 300 $scene | cmp - told; end'
 check 'points among the scene are no part of it; without points there is no plan' '
     begin desk.pts; ask GET "/next?picture=99999" > news; ! grep -aq "plan.:null" news; whole 0; end
     begin; ask GET "/next?picture=99999" > news; grep -aq "plan.:null" news; ! ask POST "/plan?limit=5"; end'

@@ -110,6 +110,7 @@ check '-over draws a map of each grid, as .png or .svg, with the contour of the 
     grep -q ">desk</text>" plan.svg; grep -q ">wall.a</text>" plan.svg
     grep -q ">lx; line: 200; hatched: the 95 % interval holds it</text>" plan.svg
     grep -q ">lx, half of the 95 % interval</text>" plan.svg
+    grep -q "<title>desk: [0-9.]* ± [0-9.]* lx at 1, 1, 0.7</title>" plan.svg; [ "$(grep -c "<title>" plan.svg)" = 3 ]
     stream 2 | vcmetrics -over plan.png -points desk.pts -points wall.a.pts > rows; head -c 4 plan.png | grep -q PNG'
 check_error 'a map needs the points' 1 '^vcmetrics: -over: needs all point files of ptrace: -points FILE' '
     stream 2 | vcmetrics -over plan.png -points desk.pts'

@@ -84,6 +84,45 @@ TEST_CASE("a wall is seen from its front; a line of points, one point, and two a
     CHECK(same.height() > 0);
 }
 
+TEST_CASE("what is drawn of a point is what the pointer finds there, on turned grids and scattered points, too") {
+    const double s = std::sqrt(.5);
+    std::vector<image::Point> scattered;
+    for (int k = 0; k < 40; ++k) scattered.push_back({{std::fmod(k * .618, 1), std::fmod(k * .7548, 1), 0}, {0, 0, 1}});
+    for (const auto& points : {grid(9, 4, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}), grid(5, 5, {s, s, 0}, {-s, s, 0}, {0, 0, 1}),
+                               scattered, grid(1, 1, {1, 0, 0}, {0, 1, 0}, {0, 0, 1})}) {
+        std::vector<double> values;
+        for (size_t k = 0; k < points.size(); ++k) values.push_back(double(k + 1));
+        const MapColumn column{"lx", {}, {values}, {}, ""};
+        const Canvas c = point_maps({"g"}, {points}, {column, column},
+                                    [](size_t, size_t point) { return std::to_string(point); });
+        REQUIRE(c.spots.size() == points.size());
+        CHECK(c.spots_again == std::vector<int>{396});
+        long drawn = 0, found = 0;
+        const auto area = [](const Rectangle& r) { return long(r.width) * r.height; };
+        for (const auto& [colour, all] : c.layers)
+            for (const Rectangle& r : all)
+                if (r.x >= 12 && r.x < 396 && r.y >= 28 && r.y < c.height - 75) drawn += area(r);
+        std::vector<int> owner(size_t(c.width) * size_t(c.height), -1);
+        for (size_t k = 0; k < points.size(); ++k) {
+            CHECK(c.spots[k].text == std::to_string(k));
+            for (const Rectangle& r : c.spots[k].parts) {
+                found += area(r);
+                for (int y = r.y; y < r.y + r.height; ++y)
+                    for (int x = r.x; x < r.x + r.width; ++x) {
+                        int& here = owner[size_t(y) * size_t(c.width) + size_t(x)];
+                        CHECK(here == -1);  // of one point only
+                        here = int(k);
+                    }
+            }
+        }
+        CHECK(found == drawn);
+    }
+    const auto many = grid(400, 400, {1, 0, 0}, {0, 1, 0}, {0, 0, 1});  // cells of a pixel
+    CHECK(point_maps({"g"}, {many}, {{"lx", {}, {std::vector<double>(160000, 1.)}, {}, ""}}, [](size_t, size_t) {
+              return "x";
+          }).spots.empty());
+}
+
 TEST_CASE("colours from the least to the greatest value, a contour where values between points pass the limit") {
     const std::vector<image::Point> points = grid(5, 3, {1, 0, 0}, {0, 1, 0}, {0, 0, 1});
     std::vector<double> values;

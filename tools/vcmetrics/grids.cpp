@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include <cmath>
 #include <tuple>
 #include <utility>
 
@@ -162,7 +163,14 @@ void draw_map(const Options& o, const GridState& s) {
             widths.values.back().push_back(limits.half_width());
         }
     }
-    display::write_canvas(o.over_file, display::point_maps(names, points, {values, widths}), o.command);
+    const auto words = [&](size_t g, size_t i) {
+        const double value = values.values[g][i], width = widths.values[g][i];
+        const base::Vec3 p = points[g][i].p;
+        const std::string noise = std::isfinite(width) ? " \u00b1 " + rounded(width, width) : "";
+        return fmt::format("{}: {}{} {} at {:.6g}, {:.6g}, {:.6g}", names[g], rounded(value, width), noise, values.unit, p.x,
+                           p.y, p.z);
+    };
+    display::write_canvas(o.over_file, display::point_maps(names, points, {values, widths}, words), o.command);
 }
 
 std::string rows_of_points(const Options& o, const GridState& s) {

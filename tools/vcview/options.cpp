@@ -56,7 +56,7 @@ std::optional<Options> parse_options(int argc, char** argv) {
           [&](base::Arguments& a) {
               o.server.plan.control = a.text(), o.server.plan.lines = a.text(), o.server.plan.sum = a.text();
           });
-    std::vector<std::string> points;
+    std::vector<std::string>& points = o.server.plan.points;
     t.add("-points file", "The points of -plan; may be repeated",
           [&](base::Arguments& a) { points.push_back(a.text()); });
     std::vector<std::string> scene;

@@ -15,9 +15,52 @@ function cell_of(name, { [name]: value, [`${name}.lo`]: low, [`${name}.hi`]: hig
   return [v + unit, `${from} to ${to}`];
 }
 
+// The points of a drawing, each with its words and its rectangles, and which one a place shows.
+class Points {
+  constructor(map = '<svg/>') {
+    const svg = new DOMParser().parseFromString(map, 'image/svg+xml').documentElement;
+    [this.width, this.height] = (svg.getAttribute('viewBox') ?? '0 0 0 0').split(' ').slice(2).map(Number);
+    this.again = Number(svg.querySelector('use')?.getAttribute('x') ?? 0);  // the second half repeats the first
+    this.of = new Int32Array(this.width * this.height).fill(-1);
+    this.all = [...svg.querySelectorAll('title')].map(({ textContent: words, parentNode }, k) => {
+      const n = parentNode.getAttribute('d').match(/\d+/g).map(Number), ends = [Infinity, Infinity, 0, 0];
+      for (let i = 0; i < n.length; i += 5) {
+        const [x, y, w, h] = n.slice(i, i + 4);
+        for (let row = y; row < y + h; row++) this.of.fill(k, row * this.width + x, row * this.width + x + w);
+        ends.forEach((end, side) => { ends[side] = side < 2 ? Math.min(end, n[i + side]) : Math.max(end, n[i + side - 2] + n[i + side]); });
+      }
+      return { words, grid: words.replace(/: [^:]*$/, ''), x: (ends[0] + ends[2]) / 2, y: (ends[1] + ends[3]) / 2 };
+    });
+  }
+
+  at(x, y) { return this.of[Math.floor(y) * this.width + Math.floor(x >= this.width / 2 ? x - this.again : x)] ?? -1; }
+
+  // The nearest one that way, rather ahead than aside; the same where there is none.  Beside it lies its own grid, above
+  // and below the others, too.
+  beside(k, dx, dy) {
+    const from = this.all[k], far = (p) => {
+      const [ahead, aside] = [dx * (p.x - from.x) + dy * (p.y - from.y), Math.abs(dy * (p.x - from.x) - dx * (p.y - from.y))];
+      return ahead > .5 && (dy || p.grid === from.grid) ? ahead + 3 * aside : Infinity;
+    };
+    return this.all.reduce((best, p, i) => (far(p) < (best === k ? Infinity : far(this.all[best])) ? i : best), k);
+  }
+}
+
 export class Plan {
   constructor() {
-    Object.assign(this, { state: null, drawn: { number: 0 }, asking: false });
+    Object.assign(this, { state: null, drawn: { number: 0 }, asking: false, points: new Points(), point: -1 });
+    $('plan').addEventListener('pointermove', (e) => {
+      if (!e.target.matches('img')) return;
+      const { left, top, width } = e.target.getBoundingClientRect(), by = this.points.width / width;
+      this.choose(this.points.at((e.clientX - left) * by, (e.clientY - top) * by));
+    });
+    $('plan').addEventListener('keydown', (e) => {
+      const by = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[e.key];
+      if (!by || e.shiftKey || e.ctrlKey || e.metaKey || e.altKey) return;
+      e.preventDefault();
+      e.stopPropagation();
+      this.choose(this.point < 0 ? 0 : this.points.beside(this.point, ...by));
+    });
     $('plan-limit').addEventListener('change', async () => {
       const wrong = await post(`/plan?limit=${$('plan-limit').value}`);
       $('plan-limit').setCustomValidity(wrong);
@@ -45,7 +88,7 @@ export class Plan {
       while (this.drawn.number < this.state.number && $('plan-panel').open) {
         const answer = await ask(`/plan?picture=${this.state.number}`);
         if (answer.status === 200) this.draw(await answer.json());
-        else if (!answer.ok) { this.wrong = (await answer.text()).trim(); break; }
+        else if (!answer.ok) { this.wrong = this.state.waits ? '' : (await answer.text()).trim(); break; }
       }
     } catch (e) {
       if (!(e instanceof Lost)) throw e;
@@ -60,12 +103,26 @@ export class Plan {
     const old = this.drawn.numbers && (waits || shown < edit);
     $('plan').classList.toggle('old', Boolean(old));
     $('plan-say').textContent = this.wrong || [ended ? 'the renderer of the points has ended' : '',
-      this.drawn.numbers ? `${frame} frames${old ? ', of the model before the last change' : ''}` :
+      this.drawn.numbers ? `${frame} frames${old ? ', from before the last change' : ''}` :
         ended || number ? '' : 'the plan comes when the picture has 4 frames'].filter(Boolean).join('; ');
+  }
+
+  // Its words, and where it lies in both maps.
+  choose(k) {
+    const point = this.points.all[k], { width, height } = this.points;
+    this.point = point ? k : -1;
+    $('plan-point').textContent = point ? point.words : this.points.all.length ? 'Point at the map for values.' : '';
+    for (const mark of document.querySelectorAll('#plan b')) {
+      mark.hidden = !point;
+      if (point) Object.assign(mark.style, { left: `${200 * point.x / width}%`, top: `${100 * point.y / height}%` });
+    }
   }
 
   draw(drawn) {
     [this.drawn, this.wrong] = [drawn, ''];
+    this.points = new Points(drawn.map);
+    this.choose(this.point);
+    $('plan').tabIndex = this.points.all.length ? 0 : -1;
     const names = Object.keys(drawn.numbers).filter((name) => /\./.test(name) && !/\.(lo|hi)$/.test(name));
     const grids = [...new Set(names.map((name) => name.slice(0, name.lastIndexOf('.'))))];
     const columns = ['mean', 'min', 'median', 'U0', `share${drawn.limit}`];
