@@ -27,7 +27,9 @@ void hatch(Image8& image, const Rectangle& r) {
             if ((x + y) % 4 == 0) fill(image, x, y, x + 1, y + 1, black);
 }
 
-std::string path_of(const Rectangle& r) { return fmt::format("M{} {}h{}v{}h-{}z", r.x, r.y, r.width, r.height, r.width); }
+std::string path_of(const Rectangle& r) {
+    return fmt::format("M{} {}h{}v{}h-{}z", r.x, r.y, r.width, r.height, r.width);
+}
 
 // A browser shows the title under the pointer.
 std::string spots_text(const Canvas& c) {

@@ -29,7 +29,7 @@ struct Canvas {
     std::vector<std::pair<Colour, std::vector<Rectangle>>> layers;  // later ones cover earlier ones
     std::vector<Words> words;
     std::vector<Spot> spots;
-    std::vector<int> spots_again;  // and this far to the right
+    std::vector<int> spots_again;                      // and this far to the right
     std::vector<Rectangle>& of(const Colour& colour);  // a layer, made where there is none
 };
 

@@ -14,7 +14,7 @@ namespace display {
 namespace {
 
 constexpr int gap = 12, line = 16, side = 360, tall = 480, largest_cell = 24, bar = 14;  // pixels
-constexpr double least_spot = 3;  // pixels of a cell
+constexpr double least_spot = 3;                                                         // pixels of a cell
 constexpr int column_width = side + 3 * gap;
 constexpr Colour unknown{238, 238, 238}, black{0, 0, 0}, white{255, 255, 255};
 

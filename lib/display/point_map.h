@@ -23,8 +23,8 @@ struct MapColumn {
     double top = 0;                           // value at the end of a linear scale from 0; 0: the scale fits the values
 };
 
-// A row of maps for each grid, a column for each quantity.  words: of a point, for the pointer; cells that are too small
-// to be pointed at have none.
+// A row of maps for each grid, a column for each quantity.  words: of a point, for the pointer; cells that are too
+// small to be pointed at have none.
 using WordsOfPoint = std::function<std::string(size_t grid, size_t point)>;
 Canvas point_maps(const std::vector<std::string>& names, const std::vector<std::vector<image::Point>>& grids,
                   const std::vector<MapColumn>& columns, const WordsOfPoint& words = {});

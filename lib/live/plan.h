@@ -53,7 +53,7 @@ private:
     base::FileStamp stamp_;  // of the sum
     std::vector<base::FileStamp> points_;
     std::atomic<size_t> points_changes_{0}, points_drawn_{0};  // points_drawn_: so many of them are in what was drawn
-    std::atomic<size_t> number_{0};  // of what can be drawn
+    std::atomic<size_t> number_{0};                            // of what can be drawn
     std::atomic<double> limit_lx_{300};
     std::vector<std::optional<std::string>> given_;  // texts that stand for the files in that pipe
     bool resting_ = true, begun_ = false, ended_ = false;

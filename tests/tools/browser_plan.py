@@ -42,10 +42,12 @@ def pointed(half, k):
     map = plan()['map']
     width, (x, y, w, h, _) = int(re.search(r'width="(\d+)"', map)[1]), map_places(map)[k]
     again = int(re.search(r'<use href="#points" x="(\d+)"', map)[1])
-    page.chrome.execute_script("""const [half, x, y, width] = arguments, image = document.querySelectorAll('#plan img')[half];
+    page.chrome.execute_script("""const [half, x, y, width] = arguments;
+        const image = document.querySelectorAll('#plan img')[half];
         image.scrollIntoView({ block: 'center' });
         const box = image.getBoundingClientRect(), by = box.width / width;
-        image.dispatchEvent(new PointerEvent('pointermove', { clientX: box.left + x * by, clientY: box.top + y * by, bubbles: true }));""",
+        image.dispatchEvent(new PointerEvent('pointermove',
+            { clientX: box.left + x * by, clientY: box.top + y * by, bubbles: true }));""",
         half, half * again + int(x) + int(w) / 2, int(y) + int(h) / 2, width)
     grid, at = ('desk', lines[k]) if k < 40 else ('<b>&', [(1, 1, .1), (2, 1, .1)][k - 40])
     wanted = f"{grid}: [\\d.]+( ± [\\d.]+)? lx at {', '.join(f'{float(v):g}' for v in at[:3])}"

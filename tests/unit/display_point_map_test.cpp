@@ -88,13 +88,14 @@ TEST_CASE("what is drawn of a point is what the pointer finds there, on turned g
     const double s = std::sqrt(.5);
     std::vector<image::Point> scattered;
     for (int k = 0; k < 40; ++k) scattered.push_back({{std::fmod(k * .618, 1), std::fmod(k * .7548, 1), 0}, {0, 0, 1}});
-    for (const auto& points : {grid(9, 4, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}), grid(5, 5, {s, s, 0}, {-s, s, 0}, {0, 0, 1}),
-                               scattered, grid(1, 1, {1, 0, 0}, {0, 1, 0}, {0, 0, 1})}) {
+    for (const auto& points :
+         {grid(9, 4, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}), grid(5, 5, {s, s, 0}, {-s, s, 0}, {0, 0, 1}), scattered,
+          grid(1, 1, {1, 0, 0}, {0, 1, 0}, {0, 0, 1})}) {
         std::vector<double> values;
         for (size_t k = 0; k < points.size(); ++k) values.push_back(double(k + 1));
         const MapColumn column{"lx", {}, {values}, {}, ""};
-        const Canvas c = point_maps({"g"}, {points}, {column, column},
-                                    [](size_t, size_t point) { return std::to_string(point); });
+        const Canvas c =
+            point_maps({"g"}, {points}, {column, column}, [](size_t, size_t point) { return std::to_string(point); });
         REQUIRE(c.spots.size() == points.size());
         CHECK(c.spots_again == std::vector<int>{396});
         long drawn = 0, found = 0;

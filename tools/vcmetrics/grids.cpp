@@ -167,8 +167,8 @@ void draw_map(const Options& o, const GridState& s) {
         const double value = values.values[g][i], width = widths.values[g][i];
         const base::Vec3 p = points[g][i].p;
         const std::string noise = std::isfinite(width) ? " \u00b1 " + rounded(width, width) : "";
-        return fmt::format("{}: {}{} {} at {:.6g}, {:.6g}, {:.6g}", names[g], rounded(value, width), noise, values.unit, p.x,
-                           p.y, p.z);
+        return fmt::format("{}: {}{} {} at {:.6g}, {:.6g}, {:.6g}", names[g], rounded(value, width), noise, values.unit,
+                           p.x, p.y, p.z);
     };
     display::write_canvas(o.over_file, display::point_maps(names, points, {values, widths}, words), o.command);
 }
