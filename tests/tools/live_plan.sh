@@ -43,8 +43,9 @@ check 'numbers and map are those of a batch run' '
     ask POST /control "view -vp 2 2.5 1.2"; await "cut -f 3 lines | grep -qx 3"; state; [ "$(of_state edit)" = 2 ]
     sed "s/ 14 / 9 /" sky_day.rad > new; mv new sky_day.rad
     whole 3; told; batch 2000 $scene | cmp - told; end'
-check 'a change of a file of points begins the plan anew; a mistake in it is said, and the plan waits until it is mended' '
-    begin $points; whole 0; cp desk.pts good; sed 1,9d good > new; mv new desk.pts; whole 1; told; batch 300 $scene | cmp - told
+check 'a change of a file of points begins the plan anew; a mistake in it is said, and the plan waits for its mending' '
+    begin $points; whole 0; cp desk.pts good; sed 1,9d good > new; mv new desk.pts
+    whole 1; told; batch 300 $scene | cmp - told
     echo "1 2 3" >> desk.pts; await "grep -q desk.pts:32: said"
     await "state; [ \"\$(of_state waits)\" = true ]"; ! ask GET "/plan?picture=$(of_state number)"
     ask GET "/next?picture=99999" | grep -aq "messages.:.*desk.pts:32: .*current.:[1-9]"
