@@ -15,7 +15,10 @@ void make_room(Vector& v, size_t more) {
 
 uint64_t machine_memory();  // bytes; 0 if unknown
 
-// Returns freed memory to the system: glibc keeps blocks of up to 32 MB for later.
+// Freed blocks of up to 32 MB stay with the process (glibc), as the next frame needs them again: a page that the system
+// gives costs as much as 4 KB of pixels.
+void keep_freed_memory();
+// Returns them to the system.
 void give_back_memory();
 
 }  // namespace base

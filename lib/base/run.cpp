@@ -18,6 +18,7 @@
 
 #include "base/descriptor.h"
 #include "base/error.h"
+#include "base/memory.h"
 #include "base/printable.h"
 #include "base/shell.h"
 #include "base/shutdown.h"
@@ -117,6 +118,7 @@ void with_enough_stack(const std::function<void()>& body) {
 }  // namespace
 
 int run(const char* tool, const std::function<int()>& body) {
+    keep_freed_memory();
     handle_signals();
     signal(SIGPIPE, SIG_IGN);  // a closed reader is an EPIPE, handled where it happens
     signal(SIGXFSZ, SIG_IGN);  // a file that may not grow further is an EFBIG

@@ -4,18 +4,33 @@
 #ifndef LUX_CPU_BACKEND_H
 #define LUX_CPU_BACKEND_H
 
-// First hits in packets.
-static void extend_together(Tile& t) {
+// What ray i has met: the answer of trace_closest().
+FN Hit packet_hit(const SceneTables& s, Packet& p, uint32_t i, uint32_t mask) {
+    Hit hit = p.look[i].hit;
+    const Ray ray = packet_whole_ray(p, i);
+    if (may_coincide(&p.look[i])) resolve_coincident_hits(&s, &ray, mask, 1, &p.look[i], &hit);
+    return hit;
+}
+
+// First hits: rays that lie side by side in packets, others alone.  Neighbours stay neighbours behind panes and in
+// mirrors.
+static void extend_paths(Tile& t) {
     Packet p;
-    for (uint32_t i = 0; i < t.n; i += p.count) {
-        p.count = MIN_(t.n - i, PACKET);
-        for (uint32_t k = 0; k < p.count; k++) packet_put(p, k, path_ray(&t.paths, t.now[i + k]));
+    uint32_t of[PACKET];
+    for (uint32_t i = 0; i < t.n;) {
+        for (p.count = 0; i < t.n && p.count < PACKET; i++) {
+            const uint32_t path = t.now[i], flags = info_flags(t.paths.info[path]);
+            if (path_steps(flags) == 0 ? !t.together : path_sampled(flags) != 0) {
+                path_extend(t.s, &t.par, &t.paths, path);
+                continue;
+            }
+            of[p.count] = path;
+            packet_put(p, p.count++, path_ray(&t.paths, path));
+        }
         packet_trace(*t.s, p, RAY_ALL);
         for (uint32_t k = 0; k < p.count; k++) {
-            Hit hit = p.look[k].hit;
-            const Ray ray = path_ray(&t.paths, t.now[i + k]);
-            if (may_coincide(&p.look[k])) resolve_coincident_hits(t.s, &ray, RAY_ALL, 1, &p.look[k], &hit);
-            set_path_hit(&t.paths, t.now[i + k], &hit);
+            const Hit hit = packet_hit(*t.s, p, k, RAY_ALL);
+            set_path_hit(&t.paths, of[k], &hit);
         }
     }
 }
@@ -45,15 +60,11 @@ struct TileBackend {
         t.n = 0;
         for (uint32_t i = 0; i < t.par.path_count; i++)
             if (t.result[i] != 0) t.now[t.n++] = i;
-        t.together = t.par.mode != MODE_RAY && (t.par.flags & (PF_EYE_ON_SURFACE | PF_SENSORS)) == 0;
+        t.together = t.par.mode != MODE_RAY && !begins_on_surface();
     }
+    bool begins_on_surface() const { return (t.par.flags & (PF_EYE_ON_SURFACE | PF_SENSORS)) != 0; }
     bool has_paths() const { return t.n > 0; }
-    void extend() {
-        if (t.together) extend_together(t);
-        else
-            for (uint32_t i = 0; i < t.n; i++) path_extend(t.s, &t.par, &t.paths, t.now[i]);
-        t.together = false;
-    }
+    void extend() { extend_paths(t); }
     void shade() {
         STAGES::shade(t);
         t.goes_on = t.shadows = 0;
@@ -108,6 +119,7 @@ struct TileBackend {
 
     void begin_pilots(const device::PilotRay* rays) {
         t.n = 0;
+        t.together = rays[0].length == PILOT_FROM_EYE && !begins_on_surface();
         for (uint32_t i = 0; i < t.par.path_count; i++) {
             const device::PilotRay& ray = rays[i];
             t.paths.org[i] = org_words(F3(ray.org[0], ray.org[1], ray.org[2]), 0u);

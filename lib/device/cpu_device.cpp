@@ -107,10 +107,10 @@ private:
         const uint32_t tile = tile_of(count);
         std::atomic<uint32_t> next{0};
         base::on_threads(std::min(threads_, (count + tile - 1) / tile), [&] {
-            std::vector<char> scratch(kernels_.scratch_bytes(tile));
+            const std::unique_ptr<char[]> scratch(new char[kernels_.scratch_bytes(tile)]);
             for (uint32_t first; (first = next.fetch_add(tile)) < count;) {
                 heed_wish();
-                work(first, std::min(tile, count - first), scratch.data());
+                work(first, std::min(tile, count - first), scratch.get());
             }
         });
     }

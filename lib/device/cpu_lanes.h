@@ -18,7 +18,8 @@ void LANE_CALL(connect)(const SceneTables* s, const Params* par, const Paths* pa
 void LANE_CALL(normalise_mis)(const Paths* paths, const uint32_t* queue, uint32_t n);
 void LANE_CALL(gather)(const Paths* paths);
 
-void LANE_CALL(closest)(const SceneTables* s, const float* words, uint32_t mask, Hit* hit);
+void LANE_CALL(closest)(const SceneTables* s, const float* rays, uint32_t lanes, uint32_t on, uint32_t mask,
+                        float* hits);
 int LANE_CALL(any)(const SceneTables* s, const float* words, uint32_t mask);
 int LANE_CALL(cal)(const SceneTables* s, uint32_t entry, const float* vars, float* out);
 }
@@ -32,9 +33,32 @@ static Ray lane_ray(const float* words) {
     return ray;
 }
 
-void LANE_CALL(closest)(const SceneTables* s, const float* words, uint32_t mask, Hit* hit) {
-    const Ray ray = lane_ray(words);
-    trace_closest(s, &ray, mask, hit);
+// The rays of the lanes that are on, and their hits: a word after the other, those of all lanes side by side.
+void LANE_CALL(closest)(const SceneTables* s, const float* rays, uint32_t lanes, uint32_t on, uint32_t mask,
+                        float* hits) {
+    Packet p;
+    uint32_t of[PACKET];
+    const auto put = [&](uint32_t lane, const Hit& hit) {
+        const float words[] = {hit.t, as_float_(hit.prim), hit.u, hit.v, as_float_(hit.inst)};
+        for (uint32_t k = 0; k < 5; k++) hits[k * lanes + lane] = words[k];
+    };
+    for (uint32_t left = on; left != 0; left &= left - 1) {
+        const uint32_t lane = uint32_t(__builtin_ctz(left));
+        float words[8];
+        for (uint32_t k = 0; k < 8; k++) words[k] = rays[k * lanes + lane];
+        const Ray ray = lane_ray(words);
+        if (p.count == 0) p.tmin = ray.tmin;
+        if (ray.tmin == p.tmin) {  // a packet has one
+            of[p.count] = lane;
+            packet_put(p, p.count++, ray);
+        } else {
+            Hit hit;
+            trace_closest(s, &ray, mask, &hit);
+            put(lane, hit);
+        }
+    }
+    packet_trace(*s, p, mask);
+    for (uint32_t k = 0; k < p.count; k++) put(of[k], packet_hit(*s, p, k, mask));
 }
 
 int LANE_CALL(any)(const SceneTables* s, const float* words, uint32_t mask) {

@@ -10,7 +10,7 @@ struct Tile {
     uint32_t *now, *next, *shadow;             // queues
     int* result;                               // of a stage, by path or by place in its queue
     uint32_t n = 0, goes_on = 0, shadows = 0;  // lengths of these queues
-    bool together = false;                     // do rays that follow one another in the queue lie side by side?
+    bool together = false;                     // do first rays that follow one another in the queue lie side by side?
 };
 
 #define PATH_BYTES(type, name, when, members) +sizeof(type)

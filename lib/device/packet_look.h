@@ -4,8 +4,6 @@
 #ifndef LUX_PACKET_LOOK_H
 #define LUX_PACKET_LOOK_H
 
-constexpr uint32_t LOOK_NODES = 3;  // a ray; where a packet has to ask more, its rays are faster alone
-
 // Returns the given rays that a shape of these classes stops: in lanes 8 g ... 8 g + 7, or one by one.
 FN uint32_t packet_met(const PacketRays& p, uint32_t rays, const float* triangle) {
     uint32_t met = 0;
@@ -82,8 +80,7 @@ FN uint32_t packet_look(const SceneTables& s, PacketRays& p, uint32_t wanted, ui
     packet_prepare(p);
     for (uint32_t left = wanted; left != 0; open |= p.open) {
         left = packet_open(p, left);
-        const uint32_t patience = LOOK_NODES * (4u + uint32_t(__builtin_popcount(p.open)));
-        const bool done = packet_walk(s, p, patience, [&](const float* block, uint32_t rays) {
+        const bool done = packet_walk(s, p, ROOT_OF_SCENE, packet_patience(p), [&](const float* block, uint32_t rays) {
             return packet_look_leaf(s, p, block, rays, mask, &through);
         });
         if (!done) look_alone(s, p, mask, &through);

@@ -10,6 +10,7 @@
 
 constexpr uint32_t PACKET_GROUPS = 4;  // of eight rays each
 constexpr uint32_t PACKET = 8 * PACKET_GROUPS;
+constexpr uint32_t PACKET_NODES = 3;  // a ray: where a packet has to ask more, its rays are faster alone
 
 // Rays side by side, a lane each.  Rays that go through the tree together are of one kind: their directions have the
 // same signs and the same longest axis.  The others wait in their lanes.
@@ -58,6 +59,9 @@ FN uint32_t packet_open(PacketRays& p, uint32_t waiting) {
     p.open = same & waiting;
     return waiting & ~same;
 }
+
+// The nodes that the open rays may ask together.
+FN uint32_t packet_patience(const PacketRays& p) { return PACKET_NODES * (4u + uint32_t(__builtin_popcount(p.open))); }
 
 FN uint32_t packet_all(const PacketRays& p) { return p.count == 32 ? ~0u : (1u << p.count) - 1u; }
 
@@ -208,10 +212,10 @@ FN bool packet_no_triangle(const float* b) { return b[0] == b[12] && b[4] == b[1
 // It returns those for which something has changed: that look less far, or no more.  False: more than `patience` nodes
 // would have to be asked, for the rays lie too far apart; the open ones are not done.
 template <class LEAF>
-FN bool packet_walk(const SceneTables& s, PacketRays& p, uint32_t patience, LEAF&& leaf) {
+FN bool packet_walk(const SceneTables& s, PacketRays& p, uint32_t root, uint32_t patience, LEAF&& leaf) {
     PacketStack stack;
     PacketBounds b = packet_bounds(p);
-    packet_node(p, b, s.nodes, stack);
+    packet_node(p, b, s.nodes + uint64_t(root) * BVH8_NODE_FLOATS, stack);
     while (stack.size > 0) {
         const PacketPlace at = stack.place[--stack.size];
         if (at.t > b.tmax * SLAB_WIDEN) continue;

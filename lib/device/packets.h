@@ -5,6 +5,7 @@
 
 struct Packet : PacketRays {
     Look look[PACKET];
+    float length[PACKET];  // of the rays
 };
 
 // Tests rays 8 g ... 8 g + 7 against triangle k of a block.  Returns the mask of `rays` that now hit nearer.
@@ -67,16 +68,32 @@ FN uint32_t packet_leaf(const SceneTables& s, Packet& p, const float* block, uin
     }
 }
 
+FN Ray packet_whole_ray(const Packet& p, uint32_t i) {
+    Ray ray = packet_ray(p, i);
+    ray.tmax = p.length[i];
+    return ray;
+}
+
 // Traces all rays that have been put.
 FN void packet_trace(const SceneTables& s, Packet& p, uint32_t mask) {
     packet_prepare(p);
     for (uint32_t i = 0; i < p.count; i++) {
         const Ray ray = packet_ray(p, i);
+        p.length[i] = ray.tmax;
         look_along(&ray, &p.look[i]);
     }
+    const uint32_t root = mask == RAY_TRANSPARENT ? ROOT_OF_PANES : ROOT_OF_SCENE;
     for (uint32_t left = packet_all(p); left != 0;) {
         left = packet_open(p, left);
-        packet_walk(s, p, ~0u, [&](const float* block, uint32_t rays) { return packet_leaf(s, p, block, rays, mask); });
+        const bool done = packet_walk(s, p, root, packet_patience(p), [&](const float* block, uint32_t rays) {
+            return packet_leaf(s, p, block, rays, mask);
+        });
+        for (uint32_t alone = done ? 0 : p.open; alone != 0; alone &= alone - 1) {
+            const uint32_t i = uint32_t(__builtin_ctz(alone));
+            const Ray ray = packet_whole_ray(p, i);
+            look_along(&ray, &p.look[i]);
+            trace_next(&s, &ray, mask, &p.look[i]);
+        }
     }
 }
 #endif

@@ -77,6 +77,9 @@ private:
             const auto place = place_of(all_.projector(), unit(ball.centre - eye), 1, 1, true);
             if (place) nets.push_back({X, Y, 2.5 * ball.radius / d / std::sqrt(place->sr), BALL_NET});
         }
+        size_t places = 0;
+        for (const Net& net : nets) places += size_t(net.n) * net.n;
+        all_.reserve(places);
         for (const Net& net : nets)
             for (uint32_t i = 0; i < net.n * net.n; i++) all_.add(net.x_of(i), net.y_of(i), LEFT);
         all_.run(0);

@@ -36,6 +36,7 @@ public:
             rays_.push_back({{float(X), float(Y), way}, {0, 0, 0}, PILOT_FROM_EYE});
         }
     }
+    void reserve(size_t points) { rays_.reserve(points * ways_); }
     void clear() { rays_.clear(); }
     // Rays give the direction in which they leave the scene, 0 if they do not, in place of radiance.
     void seek_directions() { par_.flags |= PF_DIRECTIONS; }

@@ -62,6 +62,7 @@ FN float floor_(float x) { return __builtin_floorf(x); }
 FN float fabs_(float x) { return __builtin_fabsf(x); }
 FN uint highest_bit_(uint u) { return 31u - (uint)__builtin_clz(u); }  // u != 0
 FN uint bit_count_(uint u) { return (uint)__builtin_popcount(u); }
+#define quotient_(a, b) ((a) / (b))  // b the same for all paths
 
 // Four words of a path: float4 or uint4.  In lanes a plain [i] takes three times as long.
 #define read4_(from, i) ((from)[i])

@@ -28,6 +28,7 @@ typedef long long64;
 #define fabs_(x) fabs(x)
 #define highest_bit_(u) (31u - clz(u))
 #define bit_count_(u) popcount(u)
+#define quotient_(a, b) ((a) / (b))
 #define loadf4_(p) (*(__global const float4*)(p))
 #define read4_(from, i) ((from)[i])
 #define write4_(to, i, v) ((to)[i] = (v))

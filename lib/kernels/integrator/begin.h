@@ -5,7 +5,7 @@
 
 // Focus entry of a path's pixel, in a pass over pixels with several samples in each frame.
 FN GLOBAL const FocusEntry* focus_entry(TABLES(const SceneTables) s, PARAMS(const Params) par, uint path) {
-    return &s->focus[par->focus_at + (par->first + path) / par->samples_per_pass];
+    return &s->focus[par->focus_at + quotient_(par->first + path, par->samples_per_pass)];
 }
 
 // Pixel of a path, NONE outside the picture, and the number of the pixel's sample.
@@ -16,21 +16,24 @@ FN uint path_pixel(TABLES(const SceneTables) s, PARAMS(const Params) par, uint p
         GLOBAL const FocusEntry* entry = focus_entry(s, par, path);
         return entry->pixel;
     }
-    return (par->first + path) / par->samples_per_pass;
+    return quotient_(par->first + path, par->samples_per_pass);
 }
 
 FN uint path_sample_index(PARAMS(const Params) par, uint path) {
     uint gid = par->first + path;
-    if (par->reuse_path_count != 0u) return par->frame + gid / par->reuse_path_count;
-    return par->frame + (par->mode == MODE_RAY ? gid : gid % par->samples_per_pass / par->spp);
+    if (par->reuse_path_count != 0u) return par->frame + quotient_(gid, par->reuse_path_count);
+    if (par->mode == MODE_RAY) return par->frame + gid;
+    uint in_pass = gid - quotient_(gid, par->samples_per_pass) * par->samples_per_pass;
+    return par->frame + quotient_(in_pass, par->spp);
 }
 
 // Ray through a random point of the pixel and of the lens.  Returns 0 if the view has no ray there.
 FN int camera_ray(PARAMS(const Params) par, uint pixel, PRIVATE(Sampler) rnd, PRIVATE(Ray) ray) {
     float2 r = sample2(rnd);
     float jitter = par->pixel_jitter;
-    float x = (float)(pixel % par->nx) + 0.5f + jitter * (0.5f - r.x);
-    float y = (float)(par->ny - 1u - pixel / par->nx) + 0.5f + jitter * (0.5f - r.y);
+    uint row = quotient_(pixel, par->nx);
+    float x = (float)(pixel - row * par->nx) + 0.5f + jitter * (0.5f - r.x);
+    float y = (float)(par->ny - 1u - row) + 0.5f + jitter * (0.5f - r.y);
 
     float3 lens = F3(0.0f, 0.0f, 0.0f);
     if (par->lens_diameter > 0.0f) {
@@ -94,7 +97,8 @@ FN int path_first_ray(TABLES(const SceneTables) s, PARAMS(const Params) par, uin
     // independent.
     if (par->spp > 1u) {
         GLOBAL const FocusEntry* entry = focus_entry(s, par, path);
-        uint copy = entry->from + (par->first + path) % par->spp;
+        uint gid = par->first + path;
+        uint copy = entry->from + (gid - quotient_(gid, par->spp) * par->spp);
         stream = 4u + (index >> SAMPLER_BLOCK_BITS);
         index = (index & ((1u << SAMPLER_BLOCK_BITS) - 1u)) * entry->spp + copy;
     }

@@ -19,11 +19,15 @@ FN uint reuse_paths(uint nx, uint ny) {
 
 // Pixel of path gid of a pass, NONE outside the picture.
 FN uint reuse_pixel(PARAMS(const Params) par, uint gid) {
-    uint index = par->frame + gid / par->reuse_path_count, at = gid % par->reuse_path_count;
-    uint wide = (par->nx + REUSE_SIDE - 1u) / REUSE_SIDE, high = (par->ny + REUSE_SIDE - 1u) / REUSE_SIDE;
-    uint square = at / REUSE_SQUARE, inside = at % REUSE_SQUARE, shift = hash32(index ^ 0x9e3779b9u);
-    uint x = (square % wide * REUSE_SIDE + inside % REUSE_SIDE + (shift & 0xffffu)) % (wide * REUSE_SIDE);
-    uint y = (square / wide * REUSE_SIDE + inside / REUSE_SIDE + (shift >> 16)) % (high * REUSE_SIDE);
+    UNIFORM uint wide = (par->nx + REUSE_SIDE - 1u) / REUSE_SIDE, high = (par->ny + REUSE_SIDE - 1u) / REUSE_SIDE;
+    uint sample = quotient_(gid, par->reuse_path_count);
+    uint at = gid - sample * par->reuse_path_count, shift = hash32((par->frame + sample) ^ 0x9e3779b9u);
+    uint square = at / REUSE_SQUARE, inside = at % REUSE_SQUARE;
+    uint row = quotient_(square, wide);
+    uint x = (square - row * wide) * REUSE_SIDE + inside % REUSE_SIDE + (shift & 0xffffu);
+    uint y = row * REUSE_SIDE + inside / REUSE_SIDE + (shift >> 16);
+    x -= quotient_(x, wide * REUSE_SIDE) * (wide * REUSE_SIDE);
+    y -= quotient_(y, high * REUSE_SIDE) * (high * REUSE_SIDE);
     return x < par->nx && y < par->ny ? y * par->nx + x : NONE;
 }
 
@@ -32,7 +36,7 @@ FN uint film_place(PARAMS(const Params) par, uint path) {
     uint gid = par->first + path;
     if (par->reuse_path_count == 0u) return path;
     uint pixel = reuse_pixel(par, gid);
-    return pixel == NONE ? NONE : pixel * par->samples_per_pass + gid / par->reuse_path_count;
+    return pixel == NONE ? NONE : pixel * par->samples_per_pass + quotient_(gid, par->reuse_path_count);
 }
 
 // Number of these indices.
