@@ -24,7 +24,7 @@ struct Glare : Photometry {
 
 struct Measurement : Glare, SetStatistics {
     std::optional<Glare> filled;  // by filled pixels (filled.h); none: not required, or the picture has no moments
-    // The same with sources that are joined from a pixel nearer, and from a pixel farther (require::reach).  A gap
+    // The same with sources that are joined from nearer, and from farther (require::reach).  A gap
     // between two of them is known to a pixel, so that a larger picture may join or part them.
     std::vector<Glare> of_other_reach;
     // Ev and Edir with drawn sources at their place in the pixel; `ev` and `direct_lux` take its centre, as evalglare

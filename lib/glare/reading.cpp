@@ -53,12 +53,14 @@ PixelSets pixel_sets(const Plan& plan, const Geometry& g) {
     return out;
 }
 
-// Where two sources are joined from a pixel nearer and from a pixel farther, but that neighbouring pixels always are.
+// Where two sources are joined from two thirds of a pixel nearer and farther, but that neighbouring pixels always are.
+// Two edges, each anywhere in its pixel, have a gap that is farther off that of the pixels' centres in a ninth of
+// cases.
 std::vector<FindSources> other_reaches(const Plan& plan, const Geometry& g) {
-    constexpr double diagonal = 1.5;
+    constexpr double diagonal = 1.5, known = 2. / 3;
     std::vector<FindSources> out;
     const double pitch = std::sqrt(g.omega[g.index(g.width / 2, g.height / 2)]), own = plan.settings.search_opening / 2;
-    for (const double reach : {std::min(own, std::max(own - pitch, diagonal * pitch)), own + pitch}) {
+    for (const double reach : {std::min(own, std::max(own - known * pitch, diagonal * pitch)), own + known * pitch}) {
         Settings settings = plan.settings;
         settings.search_opening = 2 * reach;
         out.push_back(plan.methods.sources(g, settings));

@@ -19,7 +19,7 @@ struct ViewTables {
     std::vector<float> position_index;       // by pixel, if medians are required
     PixelSets sets;
     FindSources find_sources;
-    std::vector<FindSources> find_by_other_reach;  // with require::reach: a pixel nearer, and a pixel farther
+    std::vector<FindSources> find_by_other_reach;  // with require::reach: nearer, and farther
     std::vector<RegionPixels> regions;
 };
 

@@ -89,7 +89,7 @@ constexpr Requirements sources = 1, rammg = 2, medians = 4,
     all_light = 16,               // all light at the eye; a narrow view shows only a part of it
     filled = 32,                  // also sources of filled pixels (filled.h)
     regions_in_full = 64,         // more than their TAL
-    reach = 128;                  // also filled sources that are joined from a pixel nearer and farther
+    reach = 128;                  // also filled sources that are joined from nearer and farther
 }
 
 }  // namespace glare

@@ -18,7 +18,7 @@ constexpr double normal_quantile = 1.959964;  // of 95 %
 // rest is some thousandths in round pictures of 64 x 64, half of it when the sides double, or a share of what filling
 // the pixels adds.  Without DGPf.px it counts as all of that.
 void add_error_of_pixels(Hour& h, double pixel_error, std::optional<double> joins) {
-    const double at_64 = joins ? .002 : .005, share = joins ? 1. / 3 : 1;
+    const double at_64 = joins ? .0015 : .005, share = joins ? 1. / 3 : 1;
     h.dgp.bound = std::max(at_64 * std::sqrt(pixels_of_64 / h.pixels), share * std::fabs(pixel_error));
     h.dgp.jump = joins.value_or(0);
 }

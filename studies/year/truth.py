@@ -66,7 +66,7 @@ class Hour:
             float(row[name]) for name in ("DGPf", "DGPf.lo", "DGPf.hi", "Ev", "pixels", "DGP.px", "DGPf.px"))
         known = not math.isnan(low)
         self.dgp, self.half = ((low + high) / 2, (high - low) / 2) if known else (value, 0 if self.ev == 0 else 1)
-        bound = max(.002 * math.sqrt(3217 / pixels), abs(px) / 3) if self.ev else 0
+        bound = max(.0015 * math.sqrt(3217 / pixels), abs(px) / 3) if self.ev else 0
         self.low, self.high = self.dgp - self.half - bound + min(0, joins), self.dgp + self.half + bound + max(0, joins)
         self.pixels, self.px = pixels, px
         self.order = (known or self.ev == 0, pixels, float(row["frame"]))

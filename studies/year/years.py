@@ -3,7 +3,7 @@
 """years.py OUT [SCENE ...]: how often the intervals of a year hold, and how often its class is wrong.
 
 POOL hours of each scene's Mondays, those next to a limit of DGP, are rendered by SEEDS seeds at 64 x 64, nine frames,
-and once with TRUTH x TRUTH pixels.  A year draws LENGTH hours, of these a seed each, so that errors of its hours
+and once with TRUTH x TRUTH pixels and 17 frames.  A year draws LENGTH hours, of these a seed each, so that errors of its hours
 are independent; the others are hours whose interval holds no limit, the same in all years and taken as true.  The hours
 above one limit are about 5 % of it, so that the class is hard to say.  What is rendered is not rendered again.
 """
@@ -25,7 +25,7 @@ def pooled(scene, out):
     year = hours_of(render(out, scene, "year/0.tsv", truth.YEAR, 64, 9))
     names = sorted((name for name, h in year.items() if h.ev > 0), key=lambda name: near(year[name].dgp))[:POOL]
     words = " ".join(sorted(names))
-    exact = hours_of(render(out, scene, f"pool.{TRUTH}.tsv", words, TRUTH, 9, 99))
+    exact = hours_of(render(out, scene, f"pool.{TRUTH}.tsv", words, TRUTH, 17, 99))
     seeds = [hours_of(render(out, scene, f"pool.64.{k}.tsv", words, 64, 9, k)) for k in range(2, SEEDS + 2)]
     sure = {name: h for name, h in year.items() if name not in exact and not any(map(h.holds, truth.LIMITS))}
     return {name: ([seed[name] for seed in seeds], exact[name]) for name in names}, sure

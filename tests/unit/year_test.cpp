@@ -102,10 +102,10 @@ TEST_CASE("with DGPf.px the error of pixels is smaller, and what it says counts 
     };
     CHECK(dgp("-.03", "0").dgp.bound == doctest::Approx(.01));
     const Hour down = dgp(".001", "-.02"), up = dgp(".001", ".02");
-    CHECK(down.dgp.at(-1) == doctest::Approx(.388));
-    CHECK(down.dgp.at(1) == doctest::Approx(.412));
-    CHECK(up.dgp.at(-1) == doctest::Approx(.408));
-    CHECK(up.dgp.at(1) == doctest::Approx(.432));
+    CHECK(down.dgp.at(-1) == doctest::Approx(.3885));
+    CHECK(down.dgp.at(1) == doctest::Approx(.4115));
+    CHECK(up.dgp.at(-1) == doctest::Approx(.4085));
+    CHECK(up.dgp.at(1) == doctest::Approx(.4315));
     CHECK(holds(down, .40));
     CHECK(!holds(up, .40));
     CHECK(holds(up, .43));
