@@ -5,7 +5,7 @@
 POOL hours of each scene's Mondays, those next to a limit of DGP, are rendered by SEEDS seeds at 64 x 64, nine frames,
 and once with TRUTH x TRUTH pixels and 17 frames.  A year draws LENGTH hours, of these a seed each, so that errors of
 its hours are independent; the others are hours whose interval holds no limit, the same in all years and taken as true.
-The hours above one limit are about 5 % of it, so that the class is hard to say.  What is rendered is not rendered again.
+The hours above one limit are about 5 % of it, so that the class is hard to say.  What is there is not made again.
 """
 import os
 import pathlib
