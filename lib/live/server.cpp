@@ -252,7 +252,10 @@ Server::Server(Live& live, const ServerOptions& options) : state_(std::make_uniq
     const auto wake = [state = state_.get()] { state->wake(); };
     state_->sources.emplace([&live, &options] { return find_sources(live, options.sources); }, wake);
     state_->report.emplace(
-        [&live, &options, state = state_.get()] { return find_report(live, state->files, options.report); }, wake);
+        [&live, &options, state = state_.get()] {
+            return find_report(live, state->files, options.report, *state->plan);
+        },
+        wake);
     state_->map.emplace([state = state_.get()] { return state->plan->draw(); }, wake);
     errno = 0;
     state_->daemon = MHD_start_daemon(

@@ -15,10 +15,13 @@
 #include "base/split.h"
 #include "image/stream.h"
 #include "live/child.h"
+#include "live/plan.h"
 
 namespace live {
 
 namespace {
+
+constexpr auto longest_wait = std::chrono::milliseconds(3000), step = std::chrono::milliseconds(50);  // of a report
 
 // vcmetrics' words without these options, which have a value each.
 std::vector<std::string> without(const std::vector<std::string>& command, const std::vector<std::string>& options) {
@@ -93,7 +96,7 @@ std::vector<std::string> sources_command(const std::vector<std::string>& command
 std::vector<std::string> report_command(const std::vector<std::string>& command,
                                         const std::vector<std::string>& scene) {
     std::vector<std::string> out = without(command, {"-until", "-control", "-max-frames", "-max-seconds", "-format",
-                                                     "-c", "-against", "-over", "-report", "-numbers"});
+                                                     "-c", "-against", "-over", "-report", "-numbers", "-plan"});
     for (const std::string& file : scene) out.insert(out.end(), {"-scene", file});
     out.push_back("-W-");
     return out;
@@ -112,8 +115,20 @@ Asked::Found find_sources(const Live& live, const std::vector<std::string>& comm
     return run_on(*news, command, -1);
 }
 
-Asked::Found find_report(const Live& live, const Files& files, std::vector<std::string> command) {
-    constexpr auto longest_wait = std::chrono::milliseconds(3000), step = std::chrono::milliseconds(50);
+// -plan, with the maps of the points as the model is now; nothing: there are none.
+static std::vector<std::string> plan_of_report(Live& live, Plan& plan, const TempFolder& folder) {
+    if (!plan.is_there()) return {};
+    const std::string map = folder.path_ / "plan.svg";
+    for (auto waited = step; waited < longest_wait; waited += step) {
+        const Plan::Drawing d = plan.draw(map);
+        if (d.status == 0 && !d.is_old) return {"-plan", map, folder.write("plan", d.row + "\n")};
+        std::this_thread::sleep_for(step);
+    }
+    live.change([](Design& d) { d.tell("vcview: warning: report: has no plan, which is not of the last change yet"); });
+    return {};
+}
+
+Asked::Found find_report(Live& live, const Files& files, std::vector<std::string> command, Plan& plan) {
     std::optional<Live::News> news;
     std::string table;
     for (auto waited = step; waited < longest_wait && table.empty(); waited += step) {
@@ -127,6 +142,8 @@ Asked::Found find_report(const Live& live, const Files& files, std::vector<std::
         const std::string page = folder.write("report.html", "");
         command.insert(command.end(), {"-report", page});
         if (!table.empty()) command.insert(command.end(), {"-numbers", folder.write("numbers", table)});
+        const std::vector<std::string> maps = plan_of_report(live, plan, folder);
+        command.insert(command.end(), maps.begin(), maps.end());
         const auto texts = live.ask([](const Design& d) { return d.texts; });
         for (size_t n = 0; n < texts.size() && n < files.size(); ++n)
             if (texts[n].now && files[n].kind == TextFile::Kind::scene)

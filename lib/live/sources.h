@@ -10,6 +10,8 @@
 
 namespace live {
 
+class Plan;
+
 // From the program after "--": its options that concern sources, and -sources.
 std::vector<std::string> sources_command(const std::vector<std::string>& command);
 // Its options but for those of a stream; the files of the scene.
@@ -21,6 +23,6 @@ std::vector<std::string> plan_command(const std::vector<std::string>& command, c
 // text: a JSON object each line.
 Asked::Found find_sources(const Live& live, const std::vector<std::string>& command);
 // text: the HTML of vcmetrics -report, with the numbers of the line that vcmetrics has printed of this picture.
-Asked::Found find_report(const Live& live, const Files& files, std::vector<std::string> command);
+Asked::Found find_report(Live& live, const Files& files, std::vector<std::string> command, Plan& plan);
 
 }  // namespace live

@@ -51,6 +51,11 @@ constexpr Words of_regions[] = {
     {"share", "Share of the view: ", ""},
     {"CR", "Contrast ratio (above 0.25 reflections are intolerable): ", ""},
 };
+constexpr Words of_grids[] = {
+    {"mean", "Mean illuminance of ", "lx"},         {"min", "Least illuminance of ", "lx"},
+    {"max", "Largest illuminance of ", "lx"},       {"median", "Median illuminance of ", "lx"},
+    {"U0", "Uniformity (least over mean) of ", ""}, {"df", "Daylight factor of ", "%"},
+};
 
 // What a column is, and its unit.
 std::pair<std::string, std::string> words_of(const std::string& column) {
@@ -109,12 +114,24 @@ std::string date_of(const Page& page) {
     return "";
 }
 
-std::string numbers(const Page& page) {
+// share300 of a grid is that of its points at 300 lx or more.
+std::pair<std::string, std::string> words_of_grid(const std::string& column) {
+    const size_t dot = column.rfind('.');
+    const std::string grid = column.substr(0, dot), what = column.substr(dot + 1);
+    for (const Words& w : of_grids)
+        if (what == w.name) return {w.words + grid, w.unit};
+    if (what.rfind("share", 0) == 0)
+        return {"Share of the points of " + grid + " at " + what.substr(5) + " lx or more", ""};
+    return {column, "lx"};
+}
+
+using WordsOf = std::pair<std::string, std::string>(const std::string& column);
+std::string numbers(const Page& page, const char* title, const std::vector<Page::Number>& all, WordsOf& words_of) {
     std::string out = fmt::format(
-        "<h2>Numbers</h2>\n<table class=\"numbers\"><thead><tr><th></th><th></th><th>Value</th>"
-        "<th>{:g} % interval</th><th></th></tr></thead><tbody>\n",
-        100 * page.certainty);
-    for (const Page::Number& n : page.numbers) {
+        "<h2>{1}</h2>\n<table class=\"numbers\"><thead><tr><th></th><th></th><th>Value</th>"
+        "<th>{0:g} % interval</th><th></th></tr></thead><tbody>\n",
+        100 * page.certainty, title);
+    for (const Page::Number& n : all) {
         if (!std::isfinite(n.value)) continue;  // a region that is out of sight
         const auto [words, unit] = words_of(n.name);
         out += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n", escaped(words),
@@ -216,7 +233,12 @@ std::string page_text(const Page& page) {
         escaped(page.title), page_style, date_of(page));
     out += verdict(page) + "<div class=\"drawings\">\n";
     for (const Page::Drawing& d : page.drawings) out += drawing(page, d);
-    out += "</div>\n" + legend(page.legend) + numbers(page) + "</section>\n<section>\n" + sources(page) + origin(page);
+    out +=
+        "</div>\n" + legend(page.legend) + numbers(page, "Numbers", page.numbers, words_of) + "</section>\n<section>\n";
+    if (!page.plan.svg.empty())
+        out += numbers(page, "Plan", page.plan.numbers, words_of_grid) + plan_maps(page.plan.svg) +
+               "</section>\n<section>\n";
+    out += sources(page) + origin(page);
     return out +
            "<p class=\"note\">Intervals cover the noise of the rendering, not the model, the materials, the sky or how "
            "people differ. DGP: Wienold and Christoffersen 2006.</p>\n</section>\n</body>\n</html>\n";

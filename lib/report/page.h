@@ -48,6 +48,10 @@ struct Page {
     std::vector<Outline> outlines;  // over each of them
     Legend legend;
     std::vector<Source> sources;
+    struct Plan {
+        std::string svg;  // maps of points; empty: there is none
+        std::vector<Number> numbers;
+    } plan;
     bool knows_objects = false;  // what is seen at the sources has a column
     std::vector<std::string> sky;
     view::View view;

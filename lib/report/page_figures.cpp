@@ -122,4 +122,12 @@ std::string legend(const Page::Legend& l) {
     return out + "<text x=\"574\" y=\"12\">cd/m²</text></svg>\n";
 }
 
+// As a picture, whose text has no say in the page, and which no pointer reaches: its points need no words.
+std::string plan_maps(const std::string& svg) {
+    const size_t words = svg.find("<g id=\"points\""), end = svg.rfind("</svg>");
+    return "<img class=\"plan\" alt=\"Illuminance at the points, with a line at the limit, and half of the intervals\" "
+           "src=\"data:image/svg+xml;base64," +
+           base64(words < end ? svg.substr(0, words) + svg.substr(end) : svg) + "\">\n";
+}
+
 }  // namespace report

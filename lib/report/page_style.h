@@ -22,6 +22,7 @@ svg text { font-family: system-ui, sans-serif; text-anchor: middle; }
 .bar { margin-top: 6px; } .interval { fill: #1c1c1c66; } .value { stroke: #1c1c1c; stroke-width: 2.5; }
 .tick { stroke: #555; }
 svg { display: block; width: 100%; }
+.plan { width: 100%; max-height: 190mm; object-fit: contain; object-position: 0 0; margin-top: 10px; }
 .drawings { display: grid; grid-template-columns: 1fr 1fr; gap: 10px; margin-top: 12px; }
 figure { margin: 0; } figcaption, .note { font-size: 8.5pt; color: var(--soft); }
 figure path { fill: none; } figure .source { stroke: #ff9d1e; } figure .region { stroke: #36d6ff; }

@@ -89,6 +89,11 @@ page.menu('Save')
 page.click('#save-plan')
 check('the map is saved', soon(lambda: os.path.exists('plan.svg') and open('plan.svg').read().endswith('</svg>\n')))
 
+page.click('#report')
+report = lambda: open('report.html').read()
+check('the report has the plan', soon(lambda: os.path.exists('report.html') and 'class="plan"' in report() and
+                                      'Mean illuminance of &lt;b&gt;&amp;' in report(), SECONDS))
+
 day = mean()
 page.keys('#skies label:nth-of-type(2) input', *[Keys.ARROW_RIGHT] * 8)
 check('a change of the sky begins the plan anew', soon(

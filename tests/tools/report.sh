@@ -59,10 +59,24 @@ check 'recorded numbers stand in place of measured ones' '
     vcmetrics -report again.html -numbers recorded last.exr > /dev/null
     data Numbers again.html | tr "\n" " " | grep -qx "1234.5 1200 1300 "'
 
+printf '1 1 .8 0 0 1\n2 1 .8 0 0 1\n' > desk.pts
+ptrace -points desk.pts -frames 0:16 materials.rad layout.rad sky_1400.rad | ptaccum -last -batches 16 -o sum.exr
+vcmetrics -ci 95 -points desk.pts -metrics mean,min,median,U0,share300 -over map.svg sum.exr > plan
+check 'maps of points stand in it, without their words, with the numbers of their table' '
+    vcmetrics -report plan.html -plan map.svg plan last.exr > /dev/null
+    cells plan $(for n in mean min median U0 share300; do echo desk.$n desk.$n.lo desk.$n.hi; done) > want
+    data Plan plan.html > page; test $(wc -l < page) = 15; tail -n 15 want | diff - page >&2
+    grep -q "<td>Mean illuminance of desk</td>" plan.html
+    grep -q "<td>Share of the points of desk at 300 lx or more</td>" plan.html
+    sed -n "s/.*data:image.svg+xml;base64,\([^\"]*\).*/\1/p" plan.html | base64 -d > inside
+    { sed "/^<g id=.points/,\$d" map.svg; echo "</svg>"; } | cmp - inside
+    ! grep -oE "(src|href|url)[=(][^ >]*" plan.html | grep -vE "data:|#scale"'
+check_error 'a plan is a map of points' 1 '^vcmetrics: -plan: takes a map' '
+    vcmetrics -report plan.html -plan report.html plan last.exr'
 check_error 'a report has its ending' 1 '^vcmetrics: -report: writes an .html file' 'vcmetrics -report a.txt last.exr'
 check_error 'it is of vcmetrics own columns' 1 '^vcmetrics: -report: ' '
     vcmetrics -like evalglare -report a.html last.exr'
-check_error 'a scene belongs to a report' 1 '^vcmetrics: -scene, -numbers, -overlay: belong to -report' '
+check_error 'a scene belongs to a report' 1 '^vcmetrics: -scene, -numbers, -overlay, -plan: belong to -report' '
     vcmetrics -scene room.rad last.exr'
 check_error 'a folder that is not there is an error before the work' '[12]' 'nowhere' '
     vcmetrics -report nowhere/a.html last.exr'

@@ -49,6 +49,8 @@ void declare_output(OptionTable& t, Options& o) {
         const std::string file = a.text();
         o.overlays.emplace_back(file, a.text());
     });
+    t.add("-plan map numbers", "Maps of the report (-over map.svg of points), with the last line of their table",
+          [&](Arguments& a) { o.plan_map = a.text(), o.plan_numbers = a.text(); });
     t.add("-numbers file", "Numbers of the report: the last line of this table of vcmetrics", o.numbers_file);
     t.add("-ci percent",
           "NAME.lo and NAME.hi after each column: the interval of the converged value, of this certainty",

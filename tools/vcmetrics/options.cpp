@@ -81,10 +81,12 @@ void check(const Options& o) {
         if (image::ending_of(o.report_file) != ".html" || !own)
             base::fail("-report", "writes an .html file of vcmetrics' own columns");
         image::require_writable_ending(o.report_file, {".html"});
+        if (!o.plan_map.empty() && image::ending_of(o.plan_map) != ".svg")
+            base::fail("-plan", "takes a map of vcmetrics -over, an .svg file, and a table of numbers");
         for (const std::string& file : o.scene)
             if (access(file.c_str(), R_OK) != 0) base::fail_system(file, "cannot be read");
-    } else if (!o.scene.empty() || !o.numbers_file.empty() || !o.overlays.empty()) {
-        base::fail("-scene, -numbers, -overlay", "belong to -report");
+    } else if (!o.scene.empty() || !o.numbers_file.empty() || !o.overlays.empty() || !o.plan_map.empty()) {
+        base::fail("-scene, -numbers, -overlay, -plan", "belong to -report");
     }
     for (const std::string& drawn : {o.over_file, o.check_file, o.report_file})
         if (!drawn.empty())

@@ -27,6 +27,7 @@ struct Options {
     bool outlines = false;                  // of sources
     std::string over_file;                  // -over; empty: none
     std::string report_file, numbers_file;  // -report, -numbers
+    std::string plan_map, plan_numbers;     // -plan
     std::vector<std::string> scene;         // -scene: of the report
     base::ReadOptions scene_options;
     std::vector<std::pair<std::string, std::string>> overlays;  // -overlay: file and the one that has its text

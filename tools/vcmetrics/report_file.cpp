@@ -33,6 +33,7 @@ namespace {
 
 constexpr int most_pixels = 512, fewest_pixels = 128;  // of a side of a drawing
 constexpr size_t most_bytes = 1350000;                 // of the drawings
+constexpr size_t longest_map = size_t(1) << 24;        // bytes, of -plan
 constexpr int most_steps = 128;                        // of a side, for outlines of sources
 constexpr size_t most_rays = 200;                      // of a source
 constexpr double sun_rad = 5 * base::degree;           // distant sources that are narrower are found by their direction
@@ -68,22 +69,26 @@ std::vector<display::Ring> smooth_outlines(const std::vector<float>& area, int w
     return out.empty() ? display::outlines(area, width, height) : out;
 }
 
-// The numbers of the row, or those of a table that vcmetrics has written.
+// The last line of a table that vcmetrics has written.
+std::vector<Page::Number> recorded(const std::string& file) {
+    std::vector<Page::Number> out;
+    const auto table = report::read_numbers(file);
+    if (!table || table->rows.empty()) base::fail(file, "is no table of vcmetrics");
+    const std::vector<double>& last = table->rows.back();
+    const auto value = [&](const std::string& name) {
+        const auto at = std::find(table->names.begin(), table->names.end(), name);
+        return at == table->names.end() ? std::nan("") : last[size_t(at - table->names.begin())];
+    };
+    for (const std::string& n : table->names)
+        if (!base::ends_with(n, ".lo") && !base::ends_with(n, ".hi") && !base::ends_with(n, ".d"))
+            out.push_back({n, value(n), value(n + ".lo"), value(n + ".hi")});
+    return out;
+}
+
+// The numbers of the row, or the recorded ones.
 std::vector<Page::Number> numbers_of(const Options& o, const RunState& run, const Row& row) {
     std::vector<Page::Number> out;
-    if (!o.numbers_file.empty()) {
-        const auto table = report::read_numbers(o.numbers_file);
-        if (!table) base::fail(o.numbers_file, "is no table of vcmetrics");
-        const std::vector<double>& last = table->rows.back();
-        const auto value = [&](const std::string& name) {
-            const auto at = std::find(table->names.begin(), table->names.end(), name);
-            return at == table->names.end() ? std::nan("") : last[size_t(at - table->names.begin())];
-        };
-        for (const std::string& n : table->names)
-            if (!base::ends_with(n, ".lo") && !base::ends_with(n, ".hi") && !base::ends_with(n, ".d"))
-                out.push_back({n, value(n), value(n + ".lo"), value(n + ".hi")});
-        return out;
-    }
+    if (!o.numbers_file.empty()) return recorded(o.numbers_file);
     for (size_t k = 0; k < run.plan.columns.size(); ++k) {
         const Number& n = row.numbers[k];
         if (run.plan.columns[k].printed && !run.plan.columns[k].words)
@@ -221,6 +226,7 @@ void add_commands(const Options& o, const image::Picture& picture, Page& page) {
         page.commands.push_back(o.files.empty() ? line + " |" : line);
     }
     std::string own = o.command;
+    if (!o.numbers_file.empty()) erase(own, " -plan " + o.plan_map + " " + o.plan_numbers);
     erase(own, " -numbers " + o.numbers_file);
     for (const auto& [file, text] : o.overlays) erase(own, " -overlay " + file + " " + text);
     if (const size_t at = own.find(o.report_file); at != std::string::npos && !o.numbers_file.empty())
@@ -250,6 +256,7 @@ void write_report(const Options& o, const image::Picture& picture, const RunStat
     add_sky(o, files, picture.header, page);
     add_files(o, files, page);
     add_commands(o, picture, page);
+    if (!o.plan_map.empty()) page.plan = {base::read_text_file(o.plan_map, longest_map), recorded(o.plan_numbers)};
     page.version = std::string("luxpipe ") + LUXPIPE_VERSION;
     const std::string text = report::page_text(page);
     image::write_bytes(o.report_file, text);
