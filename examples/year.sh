@@ -10,7 +10,7 @@ mkdir -p "$out"
 
 table() { # FRAMES LARGER HOURS PTRACE-WORDS: a table on the standard output
     ptrace -x $(($2 * size)) -y $(($2 * size)) -wea "$weather" -hours "$3" -frames "$1" "${@:4}" |
-        ptaccum -every x2/8 | vcmetrics -metrics Ev,DGPf,DGP.px,DGPf.px,pixels -ci 95
+        ptaccum -every x2/8 | vcmetrics -metrics Ev,DGPf,DGP.px,DGPf.px,pixels -ci 95 -last
 }
 
 [ -e "$out/0.tsv" ] || { table 9 1 "$hours" "${@:5}" > "$out/0.part" && mv "$out/0.part" "$out/0.tsv"; }

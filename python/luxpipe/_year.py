@@ -90,7 +90,7 @@ def year(scene: PathLike | Sequence[PathLike], view: PathLike | Sequence[str], w
              "-wea", os.fspath(weather), "-hours", hours, *options, *_files(scene)]
     said = {name: tempfile.TemporaryFile() for name in ("ptrace", "ptaccum", "vcmetrics")}
     words = {"ptrace": trace, "ptaccum": ["-every", "x2/8"],
-             "vcmetrics": ["-metrics", "Ev,DGPf,DGP.px,DGPf.px,pixels", "-ci", "95"]}
+             "vcmetrics": ["-metrics", "Ev,DGPf,DGP.px,DGPf.px,pixels", "-ci", "95", "-last"]}
     pipe: Any = subprocess.DEVNULL
     programs = []
     for name, args in words.items():

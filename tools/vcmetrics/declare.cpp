@@ -32,6 +32,7 @@ void declare_output(OptionTable& t, Options& o) {
     t.add("-metrics list", "The columns, comma separated: " + glare::column_names(),
           [&](Arguments& a) { o.metrics = base::split_list(without_blanks(a.text()), ','); });
     t.add("-each", "A row for each point of a picture of points, in place of numbers of its grids", o.each);
+    t.add("-last", "Only the row of the last sum of each picture", o.last);
     t.add("-points file", "The points of -each and -over: the files that ptrace had, in their order", o.points_files);
     t.add("-regions file", "Named regions: masks of vcregion(1), or a file of vcregion(5)", o.regions_file);
     t.add("-cr pair", "Contrast ratio of two regions, low/high or name=low/high; may be repeated", [&](Arguments& a) {

@@ -68,6 +68,8 @@ void check(const Options& o) {
         base::fail("-until", "works on vcmetrics' own columns and cannot be used with -like");
     if (o.list_sources && !o.until.empty()) base::fail("-until", "works on metrics and cannot be used with -sources");
     check_intervals(o);
+    if (o.last && (!o.until.empty() || o.max_frames || o.max_seconds || o.compare || o.difference))
+        base::fail("-last", "cannot be used with -until, -max-frames, -max-seconds, -compare or -difference");
     if (!o.control.empty() && o.until.empty() && !o.max_frames)
         base::fail("-control", "needs -until or -max-frames, which say when a picture ends");
     if (!o.control.empty() && !o.files.empty()) base::fail("-control", "works on a stream, not on files");

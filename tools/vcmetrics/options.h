@@ -22,6 +22,7 @@ struct Options {
     std::vector<std::string> metrics;       // empty: the default columns
     std::vector<std::string> points_files;  // -points: of pictures of points
     bool each = false;                      // -each: a row a point
+    bool last = false;                      // -last: no row of a sum that another follows
     bool like_rtrace = false;               // -like rtrace: its lines, of points
     bool list_sources = false;
     bool outlines = false;                  // of sources

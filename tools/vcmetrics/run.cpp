@@ -59,6 +59,10 @@ int64_t frame_number(const image::Header& header, const PicturePlace& place) {
     return header.frames.value_or(header.frame.value_or(place.index));
 }
 
+bool is_followed(const image::Header& header, int64_t frame) {
+    return header.last_frame && *header.last_frame != frame;
+}
+
 void require_measurable(const image::Picture& p, const std::string& place) {
     image::require_complete(p, place);
     if (p.header.tabbed_exposure)
@@ -85,9 +89,10 @@ std::pair<RunState, std::optional<Row>> step(const Options& o, RunState run, ima
     }
     const RunPlan& plan = run.plan;
     run.reading = read(plan.measured, p, place.text, o.view, std::move(run.reading));
+    if (plan.needs_looks) run.sum = add(std::move(run.sum), p, run.reading, place.text, plan.tells);
+    if (o.last && is_followed(p.header, frame_number(p.header, place))) return {std::move(run), std::nullopt};
     Measurement m = measure(run.reading);
     if (plan.needs_looks) {
-        run.sum = add(std::move(run.sum), p, run.reading, place.text, plan.tells);
         run.sum = look(std::move(run.sum), run.reading, m, plan.columns, plan.first_look);
     }
     if (!o.against.empty()) {

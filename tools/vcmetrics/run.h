@@ -29,6 +29,8 @@ struct PicturePlace {
 };
 PicturePlace place_of(const std::string& file, long index);  // file: "-" is the standard input
 int64_t frame_number(const image::Header& header, const PicturePlace& place);
+// Does a sum of the same picture follow this one?  Unknown: no.
+bool is_followed(const image::Header& header, int64_t frame);
 
 // A value, and the interval around `middle`, which may be another one.
 struct Number {
