@@ -43,12 +43,15 @@ check 'an interval around each number, narrower and narrower' '
     awk "NR > 4 && !(\$4 <= \$3 && \$3 <= \$5) { exit 1 } NR == 5 { first = \$5 - \$4 }
         END { exit !(\$5 - \$4 < first) }" ci'
 check 'the last row of each picture is the row of a run with all, its interval, too' '
-    for seed in 3 4; do $mkstream frames 0 9 64 64 $seed 2> err | sed "s/^FRAME=.*/&\\nLASTFRAME=9/"; done > two.lux
-    ptaccum -every x2/8 < two.lux | tee sums.lux | vcmetrics -metrics Ev,DGPf,DGP.px -ci 95 | grep "^9" | cut -f 3- > all
-    vcmetrics -metrics Ev,DGPf,DGP.px -ci 95 -last < sums.lux > last; [ "$(wc -l < last)" = 3 ]; ! grep -q "nan.nan.nan" all
-    tail -n 2 last | cut -f 3- | cmp - all
-    ptaccum < frames.lux | vcmetrics > all; ptaccum < frames.lux | vcmetrics -last > last; [ $(wc -l < last) = $(wc -l < all) ]'
-check_error 'rules need all rows' 1 '^vcmetrics: -last: cannot be used with -until, ' 'vcmetrics -last -max-frames 4 office256.hdr'
+    for seed in 3 4; do
+        $mkstream frames 0 9 64 64 $seed 2> err | sed "s/^FRAME=.*/&\\nLASTFRAME=9/"
+    done | ptaccum -every x2/8 > sums.lux
+    table() { vcmetrics -metrics Ev,DGPf,DGP.px -ci 95 "$@" < sums.lux; }
+    table | grep "^9" | cut -f 3- > all; ! grep -q "nan.nan.nan" all
+    table -last > last; [ "$(wc -l < last)" = 3 ]; tail -n 2 last | cut -f 3- | cmp - all
+    [ "$(ptaccum < frames.lux | vcmetrics -last | wc -l)" = 42 ]'
+check_error 'rules need all rows' 1 '^vcmetrics: -last: cannot be used with -until, ' '
+    vcmetrics -last -max-frames 4 office256.hdr'
 check 'in JSON fields of the same names' '
     ptaccum < frames.lux | vcmetrics -metrics Ev -ci 95 -W -format jsonl | tail -n 1 |
         grep -qE "\"Ev\": [0-9.]+, \"Ev.lo\": [0-9.]+, \"Ev.hi\": [0-9.]+, "'

@@ -115,7 +115,8 @@ GridStep step(const Options& o, GridState s, image::Picture& p, int64_t frame, d
     if (s.progress.done) return {std::move(s), "", {}};
     if (image::count_of(h.grids) > size_t(p.width) * size_t(p.height))
         base::fail("", "GRID= lines have more points than pixels");
-    const bool plain = !o.each && !o.like_rtrace && !(o.last && is_followed(h, frame)), other_sky = h.sky_name != s.header.sky_name;
+    const bool plain = !o.each && !o.like_rtrace && !(o.last && is_followed(h, frame)),
+               other_sky = h.sky_name != s.header.sky_name;
     const bool first = s.columns.empty() || !(h.grids == s.header.grids);  // points change in a live stream
     std::string text = !s.columns.empty() && other_sky ? rows_of_points(o, s) : "";
     const std::vector<std::string> names = s.names;
