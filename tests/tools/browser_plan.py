@@ -59,6 +59,8 @@ check('the point under the pointer is said, in both halves', all(
 check('and marked in both', page.js("""[...document.querySelectorAll('#plan b')].every((b) => b.checkVisibility() &&
     ((m, d) => m.left > d.left && m.right < d.right && m.top > d.top && m.bottom < d.bottom)(b.getBoundingClientRect(),
     b.parentElement.getBoundingClientRect()))"""))
+check('with its words beside the mark', page.js("""[...document.querySelectorAll('#plan b')].every((b) =>
+    getComputedStyle(b, '::after').content === JSON.stringify(document.getElementById('plan-point').textContent))"""))
 page.focus('#plan')
 soon(lambda: pointed(0, 5), SECONDS)
 place = lambda: [round(float(v), 2) for v in said().split(' at ')[1].split(', ')]
@@ -83,6 +85,16 @@ page.type('#plan-limit', '-3')
 check('a wrong limit is refused', soon(lambda: not page.js('document.getElementById("plan-limit").validity.valid')))
 check('and changes nothing', state()['limit'] == 2000)
 page.type('#plan-limit', '2000')
+page.chrome.execute_script("""const ask = window.fetch; window.mute = true;
+    window.fetch = (path, ...more) => window.mute && String(path).startsWith('/plan?picture') ?
+        (window.muted = true, Promise.reject(new TypeError())) : ask(path, ...more);""")
+page.ask('/plan?limit=1500', 'POST', b'')
+muted = lambda: page.until('window.muted', SECONDS)
+check('an answer that was lost leaves the map as it was', muted() and '≥ 2000 lx' in heading())
+page.js('(window.mute = false)')
+check('and is asked for again', soon(lambda: '≥ 1500 lx' in heading(), SECONDS), heading())
+page.ask('/plan?limit=2000', 'POST', b'')
+check('as another window asks', soon(lambda: '≥ 2000 lx' in heading(), SECONDS), heading())
 
 page.chrome.execute_cdp_cmd('Browser.setDownloadBehavior', {'behavior': 'allow', 'downloadPath': os.getcwd()})
 page.menu('Save')

@@ -92,6 +92,7 @@ export class Plan {
       }
     } catch (e) {
       if (!(e instanceof Lost)) throw e;
+      setTimeout(() => this.fetch(), 1000);  // nothing newer may come that would ask again
     } finally {
       this.asking = false;
       this.say();
@@ -114,6 +115,8 @@ export class Plan {
     $('plan-point').textContent = point ? point.words : this.points.all.length ? 'Point at the map for values.' : '';
     for (const mark of document.querySelectorAll('#plan b')) {
       mark.hidden = !point;
+      mark.dataset.words = point?.words ?? '';
+      mark.classList.toggle('far', point?.x > width / 4);  // of a half's middle
       if (point) Object.assign(mark.style, { left: `${200 * point.x / width}%`, top: `${100 * point.y / height}%` });
     }
   }
