@@ -116,4 +116,5 @@ def main():
                 say(f"{name} {file.parent.name}", by, numbers, *took)
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -129,7 +129,8 @@ def judge(scene, out):
     tables = year_of(scene, out)
     first, year = hours_of(tables[0]), hours_of(*tables)
     names = chosen(first)
-    exact = hours_of(render(out, scene, f"truth.{SIZE}.{FRAMES}.tsv", " ".join(names), SIZE, FRAMES, 99))
+    exact = hours_of(*(render(out, scene, f"truth.{SIZE}.{FRAMES}/{name}.tsv", name, SIZE, FRAMES, 99)
+                       for name in names))
     print(f"{scene}: {len(names)} of {len(year)} hours; class {verdict(*tables)['class']}; the truth's own interval "
           f"+- {sum(h.half for h in exact.values()) / len(names):.4f}")
     for what, said in (("64 x 64", first), ("what the year chose", year)):
