@@ -6,9 +6,16 @@
 
 namespace render {
 
+// Pixels of several samples that hold the direct class in each frame above one.
+struct NoisyPixels {
+    std::vector<uint32_t> pixels;  // ascending
+    uint32_t direct_above = 0;
+    bool hold_direct(uint32_t pixel, int64_t frame) const;
+};
+
 struct DiffusePlan {
-    PixelSampling sampling;       // of frames k >= 1
-    std::vector<uint32_t> noisy;  // pixels whose several samples hold the direct class in each frame
+    PixelSampling sampling;         // of frames k >= 1
+    std::vector<NoisyPixels> noisy;
 };
 
 DiffusePlan learn(device::Device& device, const ViewPlan& plan);

@@ -152,11 +152,14 @@ void explain_pixel(device::Device& device, const ViewPlan& plan, const scene::Sc
     const double share = last >= begin ? 1 / double(last - begin + 1) : 0;   // of each frame k >= 1
     std::vector<double> zero(plan.samples_of_zero, first == 0 ? 1.0 : 0.0);  // weights of frame 0's samples, times m
     const DiffusePlan learned = last >= begin ? learn(device, plan) : DiffusePlan{plan.sampling, {}};
-    const bool noisy = std::binary_search(learned.noisy.begin(), learned.noisy.end(), pixel);
+    const auto own_direct = [&](int64_t k) {
+        return std::any_of(learned.noisy.begin(), learned.noisy.end(),
+                           [&](const NoisyPixels& noisy) { return noisy.hold_direct(pixel, k); });
+    };
     for (int64_t k = begin; k <= last; k++) {  // frame_of()
         for (size_t i = 0; i < zero.size(); i++) {
             const double half = i < zero.size() / 2 ? 1 : -1, sign = image::in_first_half(k) ? 1 : -1;
-            if (k > plan.m || noisy) zero[i] -= share;
+            if (k > plan.m || own_direct(k)) zero[i] -= share;
             else if (plan.m % 2 == 0) zero[i] += sign * half * share;
         }
     }

@@ -68,12 +68,14 @@ std::vector<float> frame_of(int64_t k, const ViewPlan& plan, const FrameZero& ze
         for (size_t i = 0; i < v.size(); i++) v[i] -= zero.mean[i];
         return v;
     }
-    std::vector<float> noisy;
-    for (const uint32_t pixel : learned.noisy)
-        for (size_t i = 3 * size_t(pixel); i < 3 * size_t(pixel) + 3; i++) noisy.push_back(v[i] - zero.mean[i]);
     const float sign = image::in_first_half(k) ? 1.0f : -1.0f;
+    const std::vector<float> sampled = v;
     for (size_t i = 0; i < zero.half_off.size(); i++) v[i] += sign * zero.half_off[i];
-    for (size_t n = 0; n < noisy.size(); n++) v[3 * size_t(learned.noisy[n / 3]) + n % 3] = noisy[n];
+    for (const NoisyPixels& noisy : learned.noisy) {
+        if (k <= int64_t(noisy.direct_above)) continue;
+        for (const uint32_t pixel : noisy.pixels)
+            for (size_t i = 3 * size_t(pixel); i < 3 * size_t(pixel) + 3; i++) v[i] = sampled[i] - zero.mean[i];
+    }
     return v;
 }
 std::vector<float> picture_of(const ViewPlan& plan, std::vector<float> rgb) {

@@ -60,7 +60,7 @@ device::Params params_of_several(const PixelSampling& sampling, uint32_t mode, c
     p.mode = mode;
     p.spp = several.spp;
     p.focus_at = several.at;
-    if (several.direct_in_each_frame) p.skip_direct_below = 0;
+    if (several.direct_above) p.skip_direct_below = *several.direct_above;
     return p;
 }
 

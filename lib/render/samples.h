@@ -2,6 +2,8 @@
 // How the pixels of a picture are sampled, and samples of them, drawn by a device: one each, or the mean of several for
 // pixels of a focus and noisy pixels.
 #pragma once
+#include <optional>
+
 #include "device/device.h"
 #include "render/focus.h"
 
@@ -12,7 +14,7 @@ struct Several {
     std::vector<kernels::FocusEntry> entries;  // pixels in ascending order
     uint32_t spp = 0;                          // samples of an entry
     double reuse_equivalent_spp = 0;           // weight, in samples, of the whole picture's sample with path reuse
-    bool direct_in_each_frame = false;
+    std::optional<uint32_t> direct_above;      // own direct samples in frames above this one; none: as all pixels
     uint32_t at = 0;  // first in ViewTables::focus
 };
 

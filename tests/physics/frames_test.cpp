@@ -291,7 +291,8 @@ TEST_CASE("a stage that is called twice gives equal values, and changes none tha
     CHECK(bytes_of(*two.sampling.params.view_tables) == bytes_of(*one.sampling.params.view_tables));
     CHECK(render::draw_frame_zero(*device, two).mean == zero.mean);
     const render::DiffusePlan again = render::learn(*device, one);
-    CHECK(again.noisy == learned.noisy);
+    REQUIRE(again.noisy.size() == learned.noisy.size());
+    for (size_t i = 0; i < again.noisy.size(); i++) CHECK(again.noisy[i].pixels == learned.noisy[i].pixels);
     CHECK(std::memcmp(static_cast<const kernels::Params*>(&again.sampling.params),
                       static_cast<const kernels::Params*>(&learned.sampling.params), sizeof(kernels::Params)) == 0);
     CHECK(frames(one) == first);

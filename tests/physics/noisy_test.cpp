@@ -99,13 +99,13 @@ TEST_CASE("samples that are kept do not choose") {
     view::View view;
     view.vd = {0, 1, 0};
     view.vh = view.vv = 80;
-    constexpr int size = 272;  // frame 0 has 8 samples, numbers 0 to 7
+    constexpr int size = 272;  // frame 0 has 8 samples, numbers 0 to 7; frames 1 and 2 show them
     const auto mean = [&](uint64_t seed, double share) {
         render::RenderOptions options = direct_only();
         options.seed = seed;
         options.noisy_share = share;
         render::Renderer renderer(wall, view, size, size, options, "cpu", {});
-        return block_means(renderer, size, 1, 0, 0).back() + block_means(renderer, size, 1, 1, 1).back();
+        return block_means(renderer, size, 1, 0, 0).back() + block_means(renderer, size, 1, 3, 3).back();
     };
     const Means off = over_seeds(16, 1, [&](uint64_t seed) {
         const double without = mean(seed, 0);
@@ -114,6 +114,29 @@ TEST_CASE("samples that are kept do not choose") {
     MESSAGE("off by " << off.mean[0] << " +- " << std::sqrt(off.variance[0]));
     CHECK(std::sqrt(off.variance[0]) < .01);
     CHECK(std::abs(off.mean[0]) < 4.5 * std::sqrt(off.variance[0]));
+}
+
+// Pixels with fewer samples in a frame than frame 0 had show the halves of frame 0's: of direct light alone two frames
+// cancel there.
+TEST_CASE("frame 0's samples stay until a pixel has drawn as many of its own") {
+    const Office office;
+    constexpr int size = 64;  // m is 32
+    render::RenderOptions options = direct_only();
+    options.noisy_share = .15;
+    std::vector<std::vector<float>> run;
+    auto renderer = office.renderer("cpu", size, options);
+    renderer.frames(0, 7, [&](int64_t, const std::vector<float>& rgb, const image::Moments&) {
+        run.push_back(rgb);
+        return true;
+    });
+    const auto moved_by = [&](size_t one, size_t other) {
+        int pixels = 0;
+        for (size_t i = 0; i < run[0].size(); i += 3) pixels += run[one][i] + run[other][i] != 0;
+        return pixels;
+    };
+    CHECK(moved_by(1, 2) <= .15 / 32 * size * size);
+    CHECK(moved_by(3, 4) <= .15 / 32 * size * size);
+    CHECK(moved_by(5, 6) > .01 * size * size);
 }
 
 // The office in the sun, whose direct light is as noisy as what comes by way of others: 16 blocks and the picture, each
