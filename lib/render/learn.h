@@ -14,7 +14,7 @@ struct NoisyPixels {
 };
 
 struct DiffusePlan {
-    PixelSampling sampling;         // of frames k >= 1
+    PixelSampling sampling;  // of frames k >= 1
     std::vector<NoisyPixels> noisy;
 };
 

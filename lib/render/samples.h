@@ -15,7 +15,7 @@ struct Several {
     uint32_t spp = 0;                          // samples of an entry
     double reuse_equivalent_spp = 0;           // weight, in samples, of the whole picture's sample with path reuse
     std::optional<uint32_t> direct_above;      // own direct samples in frames above this one; none: as all pixels
-    uint32_t at = 0;  // first in ViewTables::focus
+    uint32_t at = 0;                           // first in ViewTables::focus
 };
 
 // The sampling of a picture.
