@@ -36,7 +36,8 @@ check 'another model has other hours; the view is that of the page' '
     await "hours; [ -n \"\$(hour 12)\" ]"
     near "$(hour 12)" "$(batch 12 "-vta -vp 2 2.5 1.2 -vd 0 -1 -.08 -vu 0 0 1 -vh 180 -vv 180" low.rad)"'
 check 'a click on an hour keeps them, another date does not' '
-    sed "s/12 21 14/12 21 11/" sky_day.rad > then.rad; then=$(hour 12); [ -n "$then" ]; ask POST "/overlay?n=4&version=0" "$(cat then.rad)
+    sed "s/12 21 14/12 21 11/" sky_day.rad > then.rad
+    then=$(hour 12); [ -n "$then" ]; ask POST "/overlay?n=4&version=0" "$(cat then.rad)
 "  > /dev/null
     hours; [ "$(hour 12)" = "$then" ]
     ask POST "/overlay?n=4&version=1" "$(sed "s/12 21 11/6 21 11/" then.rad)" > /dev/null
