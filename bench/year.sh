@@ -1,6 +1,6 @@
 #!/bin/bash
 # SPDX-License-Identifier: BSD-3-Clause
-# What a year costs by hours, views and points: bench/year.sh build/bin
+# Measures the cost of a year by hours, views and points: bench/year.sh build/bin
 # Processor seconds, the system's included, of ptrace, ptaccum and vcmetrics, each on one thread: lit hours of the
 # office under made-up weather, nine frames of 64 x 64 pixels a view, or of a plan of points.  A line a measurement,
 # tab separated: hours, views, points, seconds of each program, of an hour and of a view's hour, MB of the largest

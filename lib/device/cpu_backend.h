@@ -4,7 +4,7 @@
 #ifndef LUX_CPU_BACKEND_H
 #define LUX_CPU_BACKEND_H
 
-// What ray i has met: the answer of trace_closest().
+// The first hit of ray i of a traced packet, as trace_closest() finds it.
 FN Hit packet_hit(const SceneTables& s, Packet& p, uint32_t i, uint32_t mask) {
     Hit hit = p.look[i].hit;
     const Ray ray = packet_whole_ray(p, i);

@@ -33,7 +33,7 @@ static Ray lane_ray(const float* words) {
     return ray;
 }
 
-// The rays of the lanes that are on, and their hits: a word after the other, those of all lanes side by side.
+// Traces the rays of the lanes that are on.  Word k of lane i stands at k * lanes + i, in rays and in hits.
 void LANE_CALL(closest)(const SceneTables* s, const float* rays, uint32_t lanes, uint32_t on, uint32_t mask,
                         float* hits) {
     Packet p;

@@ -18,7 +18,7 @@ struct Words {
     std::string text;
 };
 
-// What a part of the drawing is, for the pointer (SVG).
+// A browser shows the text while the pointer is over these rectangles (SVG).
 struct Spot {
     std::vector<Rectangle> parts;
     std::string text;

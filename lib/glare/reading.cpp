@@ -54,8 +54,8 @@ PixelSets pixel_sets(const Plan& plan, const Geometry& g) {
 }
 
 // Where two sources are joined from two thirds of a pixel nearer and farther, but that neighbouring pixels always are.
-// Two edges, each anywhere in its pixel, have a gap that is farther off that of the pixels' centres in a ninth of
-// cases.
+// The gap between two edges, each anywhere in its pixel, differs by more from that between the pixels' centres in one
+// case of nine.
 std::vector<FindSources> other_reaches(const Plan& plan, const Geometry& g) {
     constexpr double diagonal = 1.5, known = 2. / 3;
     std::vector<FindSources> out;

@@ -10,7 +10,7 @@
 namespace render {
 
 namespace {
-// Frames whose pixels of fewer than m samples keep frame 0's: as many of each half of them.  0: m is odd.
+// Pixels with fewer than m samples in a frame show frame 0's in so many frames: as many times each half.  0: m is odd.
 uint32_t frames_kept(int64_t m) { return m % 2 ? 0 : std::max(2u, uint32_t(m) / 16 * 2); }
 }  // namespace
 

@@ -31,8 +31,8 @@ public:
     void load(const std::string& sky, Setup setup, Next next);
     // Selects the view of the calls below.
     void select(const Setup& setup);
-    // Applies an edit; read: reads the files, too, those of the view by read_view.  Returns true if the picture changes
-    // and begins anew.  Throws Error and leaves all unchanged.
+    // Applies an edit.  With `read` it reads the files again; read_view() reads those of the view.  Returns true if the
+    // picture changes and begins anew.  Throws Error and leaves all unchanged.
     using ReadView = std::function<void(RenderView& view)>;
     bool edit(Setup next, bool read, const ReadView& read_view = {});
 

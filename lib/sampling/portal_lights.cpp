@@ -5,7 +5,6 @@
 #include "sampling/portal_lights.h"
 
 #include <algorithm>
-#include <map>
 
 namespace kernels {
 #include "kernels/bvh/instance.h"
@@ -65,52 +64,29 @@ private:
     struct Aimed {
         double total = 0, pdf = 0;
     };
-    // A portal as seen from all pilots' origins, and the pdf of their directions toward it.
-    struct Seen {
-        std::vector<float> view, pdf;
-    };
     const SceneTables& tables_;
     std::vector<PilotPath>& pilots_;
     const std::vector<PilotPath>& to_reflectors_;
     const double mean_;
     Params& par_;
     std::vector<Aimed> aimed_;
-    std::map<uint32_t, Seen> seen_;  // by record
 
     double light(const PilotPath& pilot) const { return pilot.gathered + pilot.throughput * mean_; }
 
-    const Seen& seen(uint32_t k) {
-        Seen& s = seen_[par_.portal_pick[k]];
-        if (!s.view.empty()) return s;
-        const Portal* portal = portal_record(&tables_, &par_, k);
-        for (const PilotPath& pilot : pilots_) {
-            s.view.push_back(portal_view(portal, pilot.p, pilot.n));
-            s.pdf.push_back(portal_pdf(portal, pilot.p, pilot.dir));
-        }
-        return s;
-    }
-
-    // Sets aimed_ for each pilot, and the light from other directions where portals are in view: portals_light() and
-    // portals_pdf() of all pilots.
+    // Sets aimed_ for each pilot, and the light from other directions where portals are in view.
     void update_aimed() {
-        std::vector<float> total(pilots_.size()), pdf(pilots_.size());
-        for (uint32_t k = 0; k < par_.portals_count; k++) {
-            const Seen& of = seen(k);
-            for (size_t i = 0; i < total.size(); i++) total[i] += par_.portal_light[k] * of.view[i];
-        }
-        for (uint32_t k = 0; k < par_.portals_count; k++) {
-            const Seen& of = seen(k);
-            for (size_t i = 0; i < total.size(); i++)
-                if (total[i] > 0 && of.pdf[i] > 0) pdf[i] += par_.portal_light[k] * of.view[i] / total[i] * of.pdf[i];
-        }
+        aimed_.clear();
         std::vector<double> squares;
-        aimed_.assign(pilots_.size(), {});
-        for (size_t i = 0; i < pilots_.size(); i++) {
-            const PilotPath& pilot = pilots_[i];
-            const float c = dot3(pilot.dir, pilot.n);
-            if (!(total[i] > 0 && c > 0)) continue;
-            aimed_[i] = {double(total[i]), double(pdf[i]) / (double(c) * K_INV_PI)};
-            if (aimed_[i].pdf <= 0) squares.push_back(light(pilot) * light(pilot));
+        for (const PilotPath& pilot : pilots_) {
+            Aimed aimed;
+            const float total = portals_light(&tables_, &par_, pilot.p, pilot.n), c = dot3(pilot.dir, pilot.n);
+            if (total > 0 && c > 0) {
+                aimed.total = double(total);
+                const float pdf = portals_pdf(&tables_, &par_, pilot.p, pilot.n, pilot.dir, total);
+                aimed.pdf = double(pdf) / (double(c) * K_INV_PI);
+                if (aimed.pdf <= 0) squares.push_back(light(pilot) * light(pilot));
+            }
+            aimed_.push_back(aimed);
         }
         par_.portal_rest = K_PI * float(std::sqrt(trimmed_mean(squares)));
     }
@@ -118,11 +94,11 @@ private:
     bool is_reflector(uint32_t k) const { return portal_record(&tables_, &par_, k)->gloss2 > 0; }
 
     // Mean probability of a portal.
-    double share_of(uint32_t k) {
-        const std::vector<float>& view = seen(k).view;
+    double share_of(uint32_t k) const {
         double share = 0;
         for (size_t i = 0; i < pilots_.size(); i++) {
-            const double sent = double(par_.portal_light[k]) * double(view[i]);
+            const float view = portal_view(portal_record(&tables_, &par_, k), pilots_[i].p, pilots_[i].n);
+            const double sent = double(par_.portal_light[k]) * double(view);
             if (sent > 0) share += sent / (aimed_[i].total + double(par_.portal_rest)) / double(pilots_.size());
         }
         return share;
@@ -155,7 +131,7 @@ private:
 
     // Over the points with pilots to reflector k: returns true if the second moment of the reflector's light falls by
     // more than that of all other light rises, which is sampled less often.
-    bool reduces_variance(uint32_t k) {
+    bool reduces_variance(uint32_t k) const {
         const Portal* reflector = portal_record(&tables_, &par_, k);
         double saved = 0, lost = 0;
         for (const PilotPath& pilot : to_reflectors_) {

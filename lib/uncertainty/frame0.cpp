@@ -16,8 +16,8 @@ int signs_up_to(int64_t k, int64_t m) {
     return k % 2 == 0 ? 0 : image::in_first_half(k) ? 1 : -1;
 }
 
-// The frames of the first half, less those of the second, over all frames of a part: of the parts, which stand in the
-// order of their first frames, up to those that are all above m.  Empty: not one run's.
+// For each part: the number of its frames that show the first half, less those that show the second, over all of its
+// frames.  Parts stand in the order of their first frames; those wholly above m are left out.  Empty: not one run's.
 std::vector<double> excess_of_first(const std::vector<image::Part>& parts, int64_t m) {
     std::vector<double> out;
     for (const image::Part& p : parts) {
