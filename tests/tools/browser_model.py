@@ -126,6 +126,16 @@ page.click('#model-save')
 check('saved on demand', soon(lambda: '14.25 +s' in open('sky.rad').read()))
 check('then there is nothing to save', soon(lambda: not page.one('#model-save').is_enabled()))
 
+# Save twice, the second time while the first one is on its way
+page.chrome.set_network_conditions(latency=500, download_throughput=1e9, upload_throughput=1e9)
+for _ in range(2):
+    page.keys('#skies label:nth-of-type(2) input', Keys.ARROW_RIGHT)
+    page.click('#model-save')
+check('both are saved', soon(lambda: '14.75 +s' in open('sky.rad').read()) and
+      soon(lambda: page.one('#model-say').text == 'sky.rad is saved'), page.one('#model-say').text)
+page.chrome.set_network_conditions(latency=0, download_throughput=1e9, upload_throughput=1e9)
+soon(lambda: not page.one('#model-save').is_enabled())
+
 # another program writes the file while a change of the page is not saved and the page has not heard of it
 page.js('window.deaf = true')
 page.keys('#skies label:nth-of-type(2) input', Keys.ARROW_RIGHT)

@@ -140,7 +140,9 @@ export class Sliders {
   }
 
   async save() {
-    const one = this.now, known = one.file.text, said = await one.file.save((text) => text === known ? one.text : null);
+    const one = this.now;
+    let known;  // the file's text before this, which another save may have written
+    const said = await one.file.save((text) => text === (known ??= text) ? one.text : null);
     this.say(said === 'conflict' ? `${one.file.name} was changed by another program meanwhile and is as that program left it.`
       : said || `${one.file.name} is saved`);
     this.mark();
