@@ -19,9 +19,12 @@ trap 'status=$?; kill $holder; (exit $status); finish' EXIT
 # The stream to f, ptrace's messages to said; a reader counts frames, so that edits come after some have been written.
 begin() {
     rm -f f said
-    { timeout 100 ptrace -moments- -x 16 -y 16 "$@" m.rad s.rad 2> said & echo $! > pid; wait; } | cat > f &
+    {
+        timeout --foreground 100 ptrace -moments- -x 16 -y 16 "$@" m.rad s.rad 2> said & echo $! > pid
+        wait
+    } | cat > f &
 }
-end() { kill $(cat pid); wait || :; }  # ptrace finishes its frame
+end() { kill $(cat pid); wait || :; }  # --foreground: one signal, after which ptrace finishes its frame; else two
 frames() { grep -ac '^FRAME=' f; }
 edits() { grep -a '^EDIT=' f | uniq | tr '\n' ' '; }
 await() { for i in $(seq 400); do eval "$1" && return; sleep .025; done; echo "in vain: $1"; return 1; }
