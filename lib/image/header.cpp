@@ -184,6 +184,8 @@ void parse_header_line(const std::string& line, Header& h, Encoding& e, const st
         h.view_name = plain_name(*t, where);
     } else if ((t = value_of(line, "SKYNAME="))) {
         h.sky_name = plain_name(*t, where);
+    } else if ((t = value_of(line, "SHARED_PATHS="))) {
+        h.shared_paths = plain_name(*t, where);
     } else if ((t = value_of(line, "GRID="))) {
         const Grid grid = parse_grid(*t, where);
         if (grid.first != count_of(h.grids))
@@ -206,6 +208,7 @@ std::vector<std::string> header_lines(const Header& h) {
     if (h.view) out.push_back("VIEW=" + view::to_options(*h.view));
     if (!h.view_name.empty()) out.push_back("VIEWNAME=" + h.view_name);
     if (!h.sky_name.empty()) out.push_back("SKYNAME=" + h.sky_name);
+    if (!h.shared_paths.empty()) out.push_back("SHARED_PATHS=" + h.shared_paths);
     for (const Grid& grid : h.grids) out.push_back("GRID=" + to_text(grid));
     if (h.pixel_aspect != 1) out.push_back(fmt::format("PIXASPECT={}", h.pixel_aspect));
     if (h.edit) out.push_back(one_line(fmt::format("EDIT={} {}", *h.edit, h.edited)));

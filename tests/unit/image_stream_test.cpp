@@ -35,6 +35,19 @@ TEST_CASE("float pictures come back bit for bit, with their header") {
     CHECK(image::picture_bytes(q, Format::flt) == image::picture_bytes(p, Format::flt));
 }
 
+TEST_CASE("which pictures have their paths in common is read, passed on, and no history") {
+    TempFolder temp;
+    Picture p = small_picture(3, 2);
+    p.header.shared_paths = "0123456789abcdef";
+    const std::string bytes = image::picture_bytes(p, Format::flt);
+    CHECK(bytes.find("\nSHARED_PATHS=0123456789abcdef\n") != std::string::npos);
+    const Picture q = image::read_file(temp.holding("a.hdr", bytes));
+    CHECK(q.header.shared_paths == p.header.shared_paths);
+    CHECK(image::picture_bytes(q, Format::flt) == bytes);
+    CHECK(image::read_file(temp.holding("b.hdr", image::picture_bytes(small_picture(3, 2), Format::flt)))
+              .header.shared_paths.empty());
+}
+
 TEST_CASE("a stream is pictures one after another") {
     TempFolder temp;
     Picture p = small_picture(3, 2);
