@@ -8,6 +8,7 @@
 #include <set>
 #include <sstream>
 #include "base/error.h"
+#include "report/errors.h"
 
 namespace report {
 namespace {
@@ -46,8 +47,12 @@ bool is_label(const std::string& name) {
     return labels.count(name) > 0;
 }
 
+// Columns of words about a row.
+bool is_note(const std::string& name) { return name == errors_column; }
+
 bool is_metric(const std::string& name) {
-    return !is_label(name) && name != "seconds" && name != "settled" && name != "class" && name != "tails";
+    return !is_label(name) && !is_note(name) && name != "seconds" && name != "settled" && name != "class" &&
+           name != "tails";
 }
 
 double number(const std::string& text, const std::string& place) {
@@ -113,6 +118,7 @@ private:
             for (const std::string& h : header_) {
                 if (is_metric(h)) table_.names.push_back(h);
                 if (is_label(h)) table_.labels.push_back(h);
+                if (is_note(h)) table_.notes.push_back(h);
             }
             return;
         }
@@ -130,12 +136,13 @@ private:
             base::fail(place_, "has " + std::to_string(cells.size()) + " columns, the header " +
                                    std::to_string(header_.size()));
         std::vector<double> row;
-        std::vector<std::string> label;
+        std::vector<std::string> label, note;
         for (size_t k = 0; k < cells.size(); ++k) {
             if (is_metric(header_[k])) row.push_back(number(cells[k], place_));
             if (is_label(header_[k])) label.push_back(name_in_folder(cells[k]));
+            if (is_note(header_[k])) note.push_back(cells[k]);
         }
-        use(row, label);
+        use(row, label, note);
     }
     void evalglare(const std::string& line, size_t colon) {
         std::vector<std::string> names;
@@ -155,7 +162,7 @@ private:
     }
     // An object as table.cpp writes it: {"frame": 64, "Ev": 2800, "Ev.lo": 2750, "Ev.hi": 2850}
     void json(const std::string& line) {
-        std::vector<std::string> names, labels, label;
+        std::vector<std::string> names, labels, label, notes, note;
         std::vector<double> row;
         for (size_t at = 1; (at = line.find('"', at)) != std::string::npos;) {
             const size_t end = line.find('"', at + 1), colon = end == std::string::npos ? end : line.find(':', end);
@@ -169,6 +176,7 @@ private:
                     labels.push_back(name);
                     label.push_back(name_in_folder(line.substr(start + 1, at - start - 1)));
                 }
+                if (is_note(name)) notes.push_back(name), note.push_back(line.substr(start + 1, at - start - 1));
                 ++at;
                 continue;
             }
@@ -180,17 +188,19 @@ private:
             if (is_label(name)) labels.push_back(name), label.push_back(value);
             at = stop;
         }
-        add(names, row, labels, label);
+        if (rows_ == 0) table_.labels = labels, table_.notes = notes;
+        add(names, row, label, note);
     }
     void add(const std::vector<std::string>& names, const std::vector<double>& row,
-             const std::vector<std::string>& labels = {}, const std::vector<std::string>& label = {}) {
-        if (rows_ == 0) table_.names = names, table_.labels = labels;
+             const std::vector<std::string>& label = {}, const std::vector<std::string>& note = {}) {
+        if (rows_ == 0) table_.names = names;
         if (table_.names != names) base::fail(place_, "has different metrics than the lines before it");
-        use(row, label);
+        use(row, label, note);
     }
-    void use(const std::vector<double>& row, const std::vector<std::string>& label) {
+    void use(const std::vector<double>& row, const std::vector<std::string>& label,
+             const std::vector<std::string>& note) {
         ++rows_;
-        use_(table_, row, label);
+        use_(table_, {row, label, note});
     }
 
     std::ifstream in_;
@@ -217,10 +227,10 @@ std::optional<NumberTable> read_numbers(const std::string& path) {
     if (path == "-") return std::nullopt;
     constexpr size_t most_rows = 10000000;
     NumberTable all;
-    const auto add = [&](const NumberTable& t, const std::vector<double>& row, const std::vector<std::string>& label) {
+    const auto add = [&](const NumberTable& t, const NumberRow& row) {
         if (all.rows.empty()) all = t;
         if (all.rows.size() == most_rows) base::fail(path, "a table of more than ten million rows");
-        all.add_row(row, label);
+        all.add_row(row.values, row.labels);
     };
     return each_row(path, add) ? std::optional(std::move(all)) : std::nullopt;
 }

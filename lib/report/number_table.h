@@ -13,6 +13,7 @@ struct NumberTable {
     std::string name;                       // where it came from
     std::vector<std::string> names;         // metrics
     std::vector<std::string> labels;        // columns that name a row: file, view, sky, grid, point ...
+    std::vector<std::string> notes;         // columns of words about a row (errors.h)
     std::vector<std::vector<double>> rows;  // one value for each metric
     std::vector<std::string> row_names;     // one for each row: what its labels say; empty without labels
 
@@ -22,9 +23,13 @@ struct NumberTable {
 // Nothing if the file does not look like text of metrics (then it should be pictures); throws Error if it is malformed.
 std::optional<NumberTable> read_numbers(const std::string& path);
 
-// A row as it is read, and what its labels say; the table has names and labels, and no rows.
-using RowUse = std::function<void(const NumberTable& table, const std::vector<double>& row,
-                                  const std::vector<std::string>& labels)>;
+// A row as it is read: what its metrics, labels and notes say.
+struct NumberRow {
+    const std::vector<double>& values;
+    const std::vector<std::string>&labels, &notes;
+};
+// The table has the columns' names, and no rows.
+using RowUse = std::function<void(const NumberTable& table, const NumberRow& row)>;
 // The same for tables too long to keep; false if the file does not look like text of metrics.
 bool each_row(const std::string& path, const RowUse& use);
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <functional>
 
+#include "uncertainty/student.h"
+
 namespace uncertainty {
 namespace {
 
@@ -17,7 +19,7 @@ struct Count {
 
 template <class Chance>
 Count count_of(const std::vector<Uncertain>& values, const Chance& chance) {
-    constexpr double never = 1e-9;
+    constexpr double never = 1e-6;  // of 10,000 values, a hundredth of one
     Count c;
     for (const Uncertain& u : values) {
         const double p = chance(u);
@@ -52,7 +54,8 @@ double chance_of_more(const Count& c, size_t n) {
 double where(const std::vector<Uncertain>& values, double p, const std::function<double(double)>& falls) {
     double low = 0, high = 0;
     for (const Uncertain& u : values) {
-        const double least = u.at(-1) - 8 * u.error, most = u.at(1) + 8 * u.error;
+        constexpr double far = 40;  // standard errors, of four degrees of freedom: a chance of one in a million
+        const double least = u.at(-1, far), most = u.at(1, far);
         low = &u == &values.front() ? least : std::min(low, least);
         high = &u == &values.front() ? most : std::max(high, most);
     }
@@ -67,9 +70,10 @@ double where(const std::vector<Uncertain>& values, double p, const std::function
 }  // namespace
 
 double chance_above(const Uncertain& u, double limit, double side) {
+    if (limit < u.least || limit >= u.most) return limit < u.least ? 1 : 0;
     const double apart = u.at(side) - limit;
     if (!(u.error > 0)) return apart > 0 ? 1 : 0;
-    return std::erfc(-apart / u.error / std::sqrt(2.)) / 2;
+    return std::erfc(-normal_of_student(apart / u.error, u.degrees) / std::sqrt(2.)) / 2;
 }
 
 // One event after another.

@@ -4,18 +4,26 @@
 // unequal chance: a Poisson-binomial distribution (Y. Hong, On computing the distribution function for the Poisson
 // binomial distribution, Computational Statistics and Data Analysis 59, 2013).
 #pragma once
+#include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "uncertainty/estimate.h"
 
 namespace uncertainty {
 
-// A normal error; one that is unknown but not larger than `bound`; and one between 0 and `jump`, which has a sign.
+// A standard error, known with some degrees of freedom; an error that is unknown but not larger than `bound`; and one
+// between 0 and `jump`, which has a sign.  The truth is surely between `least` and `most`.
 struct Uncertain {
+    static constexpr double infinite = std::numeric_limits<double>::infinity();
     double value = 0, error = 0, bound = 0, jump = 0;
-    // The value with all that is unknown downward (side -1) or upward (1).
-    double at(double side) const { return value + side * bound + (side * jump > 0 ? jump : 0); }
+    double degrees = infinite, least = -infinite, most = infinite;
+    // The value with all that is unknown downward (side -1) or upward (1), and `errors` standard errors more.
+    double at(double side, double errors = 0) const {
+        const double far = value + side * (bound + errors * error) + (side * jump > 0 ? jump : 0);
+        return std::clamp(far, least, most);
+    }
 };
 
 // The probability that the true value is above the limit, with its unknown error at `side` (-1 to 1) of the bound.

@@ -13,6 +13,7 @@ namespace {
 
 // A standard error below this share of the value is the rounding of floats.
 constexpr double rounding = 1e-6;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 // The T with g(T) = t: g is (1 + G T/3)^3 / G + (G/6 - 1/G).
 double unskewed(double t, double skewness) {
@@ -31,8 +32,12 @@ double Estimate::error_after(int64_t n) const {
     return std::sqrt(lasting * lasting + std::max(0., falls) * double(frames) / double(n));
 }
 
+double Estimate::error_known_after(int64_t n) const {
+    if (!known()) return nan;
+    return error > rounding * std::fabs(value) ? error_after(n) : 0;
+}
+
 Interval Estimate::around(double alpha, int64_t n) const {
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     if (!known()) return {nan, nan};
     if (!(error > rounding * std::fabs(value))) return {0, 0};
     const double scale = error_after(n), skew = skewness * scale / error, t = student_quantile(alpha, degrees);

@@ -27,7 +27,8 @@ struct Estimate {
 
     // Parts that are all alike have no error, which is believed from `least_frames` on.
     bool known() const;
-    double error_after(int64_t n) const;  // frames
+    double error_after(int64_t n) const;        // frames
+    double error_known_after(int64_t n) const;  // 0: of rounding alone; nan: not known
     // Limits less the value, after n frames; alpha: probability that they miss the truth.  nan if unknown.
     Interval around(double alpha, int64_t n) const;
     double half_width(double alpha, int64_t n) const { return around(alpha, n).half_width(); }

@@ -57,4 +57,16 @@ double student_quantile(double outside, double degrees) {
     return known.quantile;
 }
 
+double normal_of_student(double t, double degrees) {
+    if (std::isinf(degrees)) return t;
+    const double scale = (8 * degrees + 1) / (8 * degrees + 3);
+    return std::copysign(scale * std::sqrt(degrees * std::log1p(t * t / degrees)), t);
+}
+
+double student_of_normal(double z, double degrees) {
+    if (std::isinf(degrees)) return z;
+    const double scaled = z * (8 * degrees + 3) / (8 * degrees + 1);
+    return std::copysign(std::sqrt(degrees * std::expm1(scaled * scaled / degrees)), z);
+}
+
 }  // namespace uncertainty

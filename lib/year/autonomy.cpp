@@ -21,8 +21,10 @@ Between count(const std::vector<uncertainty::Uncertain>& hours, double from, dou
 
 std::vector<uncertainty::Uncertain> hours_of(const Grid& grid, size_t sensor) {
     std::vector<uncertainty::Uncertain> hours;
-    for (const GridHour& h : grid.hours)
-        hours.push_back({double(h.sensors[sensor].value), double(h.sensors[sensor].error), 0});
+    for (const GridHour& h : grid.hours) {
+        const Lux& e = h.sensors[sensor];
+        hours.push_back({double(e.value), double(e.error), 0, 0, double(e.degrees)});
+    }
     return hours;
 }
 

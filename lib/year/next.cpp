@@ -18,8 +18,11 @@ constexpr double before_frame_1 = 8;  // what frame 0 and the moments cost, in f
 // Noise falls with the frames and with the pixels, the error of pixels with the sides; a larger picture mostly knows
 // which sources are joined.
 uncertainty::Uncertain promised(const Hour& h, double frames, double larger) {
-    return {h.dgp.value, h.dgp.error * std::sqrt((h.frames + 1) / frames) / larger, h.dgp.bound / larger,
-            larger > 1 ? 0 : h.dgp.jump};
+    uncertainty::Uncertain u = h.dgp;
+    u.error *= std::sqrt((h.frames + 1) / frames) / larger;
+    u.bound /= larger;
+    if (larger > 1) u.jump = 0;
+    return u;
 }
 
 // The cheapest way to decide the hour if its value stays; else a picture twice as large; nothing if it is the largest.

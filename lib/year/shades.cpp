@@ -33,7 +33,8 @@ const Hour& hour_at(const std::vector<View>& views, const std::string& name, con
 
 Hour either_of(Hour a, const Hour& b) {
     const double low = std::min(a.dgp.at(-1), b.dgp.at(-1)), high = std::max(a.dgp.at(1), b.dgp.at(1));
-    a.dgp = {(low + high) / 2, std::max(a.dgp.error, b.dgp.error), (high - low) / 2};
+    const uncertainty::Uncertain& wider = a.dgp.error < b.dgp.error ? b.dgp : a.dgp;
+    a.dgp = {(low + high) / 2, wider.error, (high - low) / 2, 0, wider.degrees};
     a.is_known = a.is_known && b.is_known;
     return a;
 }

@@ -10,7 +10,8 @@
 
 namespace year {
 
-constexpr double pixels_of_64 = 3217;  // in a circle of 64 x 64
+constexpr double normal_quantile = 1.959964;  // of the 95 % by which an hour is decided
+constexpr double pixels_of_64 = 3217;         // in a circle of 64 x 64
 
 struct Hour {
     weather::Time time;          // its middle
@@ -19,7 +20,7 @@ struct Hour {
     double least_pixels = pixels_of_64;  // of the smallest of its pictures
     bool dark = false;                   // no light at all
     bool is_known = true;                // false: no interval came with so few frames, so that any value is possible
-    double half_width() const;           // of the 95 % interval, without the pixels' bound
+    double low() const, high() const;    // of the 95 % interval, with the pixels' error
 };
 
 struct View {
@@ -29,6 +30,7 @@ struct View {
 
 struct Lux {
     float value = 0, error = 0;  // one standard error
+    float degrees = std::numeric_limits<float>::infinity();
 };
 
 struct GridHour {
@@ -49,6 +51,7 @@ struct Tables {
     std::vector<View> views;  // in the order of their first lines
     std::vector<Grid> grids;  // likewise; there are either views or grids
     bool exact = false;       // no intervals: values are taken as they are
+    bool no_errors = false;   // limits without their standard errors: they count as of 95 %
     bool no_pixels = false;   // no column pixels: pictures count as 64 x 64
 };
 

@@ -23,9 +23,7 @@ const char* class_name(int k) {
     return names[k];
 }
 
-bool holds(const Hour& h, double limit) {
-    return h.dgp.at(-1) - h.half_width() < limit && limit < h.dgp.at(1) + h.half_width();
-}
+bool holds(const Hour& h, double limit) { return h.low() < limit && limit < h.high(); }
 
 Verdict judge(const View& view, double alpha) {
     Verdict v;

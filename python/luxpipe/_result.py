@@ -44,7 +44,7 @@ class Result:
     """Metrics of a picture, and the picture.  ``result["DGP"]`` is an `Interval`.
 
     Attributes:
-        row: the line of vcmetrics, names and values as they came (also `class`, `tails`, `view`)
+        row: the line of vcmetrics, names and values as they came (also `class`, `tails`, `errors`, `view`)
         frames: number of diffuse frames in the picture; 0 for pictures that luxpipe did not render
         seconds: since the start of the programs
         converged: whether the rule of `until` held; of the last result of a run

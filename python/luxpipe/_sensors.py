@@ -20,7 +20,8 @@ if TYPE_CHECKING:
 def sensors(scene: PathLike | Sequence[PathLike], points: PathLike | Sequence[PathLike] | Sequence[Sequence[float]],
             until: str = f"each {UNTIL}", *, ci: float = 95, max_frames: int = MOST_FRAMES, seed: int = 1,
             options: Sequence[str] = ()) -> pandas.DataFrame | list[dict[str, Any]]:
-    """Return a row for each point: grid, x y z dx dy dz, its illuminance E in lx, and lo and hi of its interval.
+    """Return a row for each point: grid, x y z dx dy dz, its illuminance E in lx, lo and hi of its interval, and
+    errors: its standard error and degrees of freedom, as "E=12.3/23".
 
     The rows are a pandas table where pandas is installed, else a list of dictionaries.  A rule that was not met is a
     `Warning`.
@@ -40,7 +41,7 @@ def sensors(scene: PathLike | Sequence[PathLike], points: PathLike | Sequence[Pa
         >>> scene = [office / "materials.rad", office / "layout.rad", office / "sky_overcast.rad"]
         >>> table = luxpipe.sensors(scene, [(2, 2, .8, 0, 0, 1), (2, 1, .8, 0, 0, 1)], "each 5%")
         >>> len(table), list(table)[-3:] if hasattr(table, "columns") else list(table[0])[-3:]
-        (2, ['E', 'lo', 'hi'])
+        (2, ['lo', 'hi', 'errors'])
     """
     with tempfile.TemporaryDirectory() as folder:
         given: list[Any] = [points] if isinstance(points, (str, os.PathLike)) else list(points)

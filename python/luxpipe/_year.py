@@ -17,6 +17,9 @@ if TYPE_CHECKING:
     import pandas
 
 
+WORDS = ("view", "sky", "tails", "errors")  # columns that are no numbers
+
+
 class Year:
     """What `year` returns: the hours as a table, and their summary.
 
@@ -36,7 +39,7 @@ class Year:
         names, *rows = (line.split("\t") for line in table.splitlines())
         last = {}
         for row in rows:
-            line = {name: cell if name in ("view", "sky", "tails") else float(cell) for name, cell in zip(names, row)}
+            line = {name: cell if name in WORDS else float(cell) for name, cell in zip(names, row)}
             last[line.get("view", ""), line["sky"]] = line
         self.lines: list[dict[str, Any]] = list(last.values())
 

@@ -15,7 +15,8 @@ NAN = float('nan')
 def read(path):
     lines = [line.rstrip('\n').split('\t') for line in open(path)]
     number = lambda cell: float(cell) if cell not in ('', '-') else NAN
-    return [{k: v if k in ('tails', 'file') else number(v) for k, v in zip(lines[0], cells)} for cells in lines[1:]]
+    words = ('tails', 'errors', 'file')
+    return [{k: v if k in words else number(v) for k, v in zip(lines[0], cells)} for cells in lines[1:]]
 
 
 def plain(column):

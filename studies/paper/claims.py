@@ -9,7 +9,7 @@ out, scenes = sys.argv[1], sys.argv[2:]
 
 def read(scene):
     lines = [line.rstrip('\n').split('\t') for line in open(os.path.join(out, scene, 'metrics.tsv'))]
-    return [{n: c if n == 'tails' else float(c) for n, c in zip(lines[0], cells)} for cells in lines[1:]]
+    return [{n: c if n in ('tails', 'errors') else float(c) for n, c in zip(lines[0], cells)} for cells in lines[1:]]
 
 
 runs = {scene: read(scene) for scene in scenes}

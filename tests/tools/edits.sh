@@ -19,9 +19,9 @@ metrics='-metrics Ev,DGP,UGR,TAL,CR -cr screen=screen_low/screen_high -regions o
 
 check 'what two files differ by: less than independent runs would, and told apart' '
     vcmetrics -difference $metrics light.exr dark.exr > d; vcmetrics -difference $metrics light.exr other.exr > e 2> w
-    head -1 d | grep -q "^row.metric.first.second.difference.lo.hi.apart$"; [ $(wc -l < d) = 8 ]
+    head -1 d | grep -q "^row.metric.first.second.difference.lo.hi.apart.se.df$"; [ $(wc -l < d) = 8 ]
     awk "\$2 == \"Ev\" { exit !(\$6 < \$5 && \$5 < \$7 && \$7 < 0 && \$8 == 1 && (\$5 - \$4 + \$3)^2 < .01) }" d
-    paste d e | awk "\$2 == \"Ev\" { exit !(3 * (\$7 - \$6) < \$15 - \$14) }"
+    paste d e | awk "\$2 == \"Ev\" { exit !(3 * (\$7 - \$6) < \$17 - \$16) }"
     grep -q "^vcmetrics: warning: other.exr: its parts hold other frames or seeds than those of light.exr: " w'
 check 'streams of sums give the differences of their files' '
     vcmetrics -difference $metrics light.sums dark.sums | diff d -'
@@ -48,7 +48,7 @@ check 'lines of edits are compared by frame and edit' '
     status=0; vcmetrics -compare t other > d || status=$?; [ $status = 5 ]; [ "$(grep "no$" d | cut -f 1)" = "3 1" ]'
 check '-against first: the third edit is the first again' '
     live | ptaccum | vcmetrics -metrics Ev -ci 90 -against first > t; [ "$(column Ev.d < t | sed -n 51p)" = 0 ]
-    [ "$(head -1 t | cut -f 4-)" = "$(printf "Ev\tEv.lo\tEv.hi\tEv.d\tEv.d.lo\tEv.d.hi\ttails")" ]'
+    [ "$(head -1 t | cut -f 4-)" = "$(printf "Ev\tEv.lo\tEv.hi\tEv.d\tEv.d.lo\tEv.d.hi\ttails\terrors")" ]'
 check '-against FILE: the edit that it names, also where that changes' '
     echo 0 > base; live | ptaccum | vcmetrics -metrics Ev -ci 90 -against base > t
     live | ptaccum | vcmetrics -metrics Ev -ci 90 -against first > u; cmp <(cut -f 1,3- t) <(cut -f 1,3- u)

@@ -20,7 +20,7 @@ cells() {
         { last = $0 } END { $0 = last
             for (k = 2; k in want; k++) if ($(at[want[k]]) != "nan") print $(at[want[k]]) }' "$1"
 }
-columns=$(head -1 lines | tr '\t' '\n' | grep -vE '^(frame|seconds|tails)$|[.](lo|hi)$')
+columns=$(head -1 lines | tr '\t' '\n' | grep -vE '^(frame|seconds|tails|errors)$|[.](lo|hi)$')
 with_ends=$(for c in $columns; do echo "$c $c.lo $c.hi"; done)
 check 'the numbers of the page are those of the last line' "
     data Numbers report.html > page; cells lines $(echo $with_ends) > want

@@ -39,7 +39,8 @@ check 'a line for each source; their shares add up' '
 
 check_exit 'a rule that never holds: status 4' 4 'ptaccum < frames.lux | vcmetrics -until "Ev 0.0000001%"'
 check 'an interval around each number, narrower and narrower' '
-    ptaccum < frames.lux | vcmetrics -metrics Ev -ci 95 -W > ci && head -1 ci | grep -qP "Ev\tEv.lo\tEv.hi\ttails$" &&
+    ptaccum < frames.lux | vcmetrics -metrics Ev -ci 95 -W > ci &&
+    head -1 ci | grep -qP "Ev\tEv.lo\tEv.hi\ttails\terrors$" &&
     awk "NR > 4 && !(\$4 <= \$3 && \$3 <= \$5) { exit 1 } NR == 5 { first = \$5 - \$4 }
         END { exit !(\$5 - \$4 < first) }" ci'
 check 'the last row of each picture is the row of a run with all, its interval, too' '
@@ -61,7 +62,7 @@ check 'no intervals of pictures by themselves, of RGBE, of merges, and why' '
     ptaccum -ff one.hdr other.hdr > both.hdr &&
     for f in one.hdr rgbe.lux both.hdr; do
         vcmetrics -metrics Ev -ci 95 $f 2>&1 > t | grep -q "no intervals: " &&
-            tail -1 t | grep -qP "nan\tnan\t-$" || exit 1
+            tail -1 t | grep -qP "nan\tnan\t-\t-$" || exit 1
     done'
 check 'a file with parts has the intervals that the last line of its stream had' '
     $mkstream frames 0 11 64 64 2> /dev/null | ptaccum -batches 16 -o all.exr -o - |

@@ -19,7 +19,7 @@ hours -frames 9 > all.tsv
 hours -ab 0 -frames 4 > sun.tsv
 
 check 'a row for each hour and sensor, of its last picture' '
-    head -n 1 all.tsv | grep -qx "sky	grid	point	E	lo	hi"; [ "$(wc -l < all.tsv)" = 25 ]
+    head -n 1 all.tsv | grep -qx "sky	grid	point	E	lo	hi	errors"; [ "$(wc -l < all.tsv)" = 25 ]
     sed -n 2p all.tsv | grep -q "^0121_0530	desk	0	0	"; tail -n 1 all.tsv | grep -q "^0321_1230	free	0	"'
 check 'those of an hour alone' '
     hours -frames 9 -hours 0321_1230 > one.tsv; grep "^0321_1230" all.tsv | cmp - <(tail -n +2 one.tsv)'
@@ -96,7 +96,7 @@ check_error 'a sensor of a grid that is no file name' 1 '^vcyear: -honeybee: ".d
     sed "s,desk,.desk," all.tsv > other.tsv; vcyear -honeybee folder other.tsv || test -e folder'
 check_error 'direct sun of other hours' 1 '^vcyear: -direct: does not have the hours of the table$' '
     grep -v ^0121_0930 sun.tsv > other.tsv; vcyear -direct other.tsv -honeybee folder all.tsv'
-printf 'sky\tDGP\tDGP.lo\tDGP.hi\tpixels\n0121_0930\t.3\t.3\t.3\t9999\n' > view.tsv
+printf 'sky\tDGP\tDGP.lo\tDGP.hi\tpixels\terrors\n0121_0930\t.3\t.3\t.3\t9999\tDGP=0/8\n' > view.tsv
 check_error 'a view has no sensors' 1 '^vcyear: -each: is of sensors .vcmetrics -each., not of views$' '
     vcyear -each view.tsv'
 check_error 'both in one' 1 '^vcyear: view.tsv: views and sensors are counted apart$' 'vcyear view.tsv all.tsv'

@@ -16,7 +16,7 @@ for month in 1 2 3; do
 done >> y.wea
 hours() {
     ptrace -w- -vf $office/view.vf -x 24 -y 24 -wea y.wea "$@" $office/materials.rad $office/layout.rad |
-        ptaccum -every x2/8 | vcmetrics -W- -metrics Ev,DGPf,DGP.px,DGPf.px,pixels -ci 95
+        ptaccum -every x2/8 | vcmetrics -W- -metrics Ev,DGPf,DGP.px,DGPf.px,pixels -ci "${CI:-95}"
 }
 hours -frames 9 > all.tsv 2> said
 
@@ -24,6 +24,11 @@ check 'five lines, dark hours among them' '
     vcyear all.tsv > five; [ "$(wc -l < five)" = 5 ]
     grep -qE "^hours     12, 3 dark, [0-9]+ undecided$" five
     grep -qE "^worst     0.[0-9]+: ptrace ... -hours 0[123]21_" five'
+check 'the year is the same whatever the certainty of its limits' '
+    for ci in 60 90 99; do CI=$ci hours -frames 9 > ci.tsv 2> said; vcyear ci.tsv | cmp five -; done'
+check 'a table of limits alone counts as of 95 %, which is told' '
+    awk -F "\t" -v OFS="\t" "{ NF--; print }" all.tsv > limits.tsv
+    vcyear limits.tsv 2>&1 > out | grep -q "warning: limits.tsv: no column errors .*count as of 95 %$"'
 check 'parts joined by cat, and the standard input' '
     hours -frames 9 -hours 1/2 > a.tsv 2> said; hours -frames 9 -hours 2/2 > b.tsv 2> said
     cat a.tsv b.tsv | vcyear - > joined; cmp five joined

@@ -32,6 +32,23 @@ TEST_CASE("the chance of a value is that of its error") {
     CHECK(chance_above({.41, 0, 0}, .4) == 1);
 }
 
+TEST_CASE("with few degrees of freedom the chance is Student's, for a 95 % limit to .003") {
+    for (const double degrees : {3., 4., 5.5, 8., 15., 1e3})
+        CHECK(chance_above({.4, .01, 0, 0, degrees}, .4 + .01 * student_quantile(.05, degrees)) ==
+              doctest::Approx(.025).epsilon(.12));
+    CHECK(student_of_normal(normal_of_student(-2.5, 4), 4) == doctest::Approx(-2.5));
+    CHECK(normal_of_student(1.5, Uncertain::infinite) == 1.5);
+}
+
+TEST_CASE("what a value cannot be is no event") {
+    Uncertain u{.5, .2, 1};
+    u.least = .46, u.most = 1;
+    CHECK(chance_above(u, .45, -1) == 1);
+    CHECK(chance_above(u, 1, 1) == 0);
+    CHECK(exceeded_interval({u}, 0, .05).low == doctest::Approx(.46));
+    CHECK(exceeded_interval({u}, 0, .05).high == doctest::Approx(1));
+}
+
 TEST_CASE("exact values have no width") {
     std::vector<Uncertain> year;
     for (int i = 0; i < 100; ++i) year.push_back({i / 100., 0, 0});
@@ -65,7 +82,6 @@ TEST_CASE("a bound of the error widens both, however many values there are") {
 TEST_CASE("intervals of counts and of the exceeded value hold the truth in 93 of 100 years") {
     constexpr int years = 1000, hours = 300, exceeding = hours / 20;
     constexpr double degrees = 4, alpha = .05, limit = .40;
-    const double t = student_quantile(alpha, degrees) / 1.95996;
     std::mt19937 random(1);
     std::normal_distribution<double> normal;
     std::chi_squared_distribution<double> chi(degrees);
@@ -81,8 +97,8 @@ TEST_CASE("intervals of counts and of the exceeded value hold the truth in 93 of
                 const double dgp = dark ? .16 : .18 + .2 * std::pow(uniform(random), 2) + .02 * chi(random) / degrees;
                 const double error = dark ? 0 : .02 * dgp;
                 truth.push_back({dgp, 0, 0});
-                seen.push_back({dgp + pixels * !dark + error * normal(random),
-                                t * error * std::sqrt(chi(random) / degrees), dark ? 0 : bound});
+                seen.push_back({dgp + pixels * !dark + error * normal(random), error * std::sqrt(chi(random) / degrees),
+                                dark ? 0 : bound, 0, degrees});
             }
             const double above = count_above(truth, limit, alpha).low, e5 = exceeded(truth, exceeding);
             const Interval n = count_above(seen, limit, alpha), x = exceeded_interval(seen, exceeding, alpha);
@@ -94,6 +110,6 @@ TEST_CASE("intervals of counts and of the exceeded value hold the truth in 93 of
         CAPTURE(width);
         CHECK(counts >= .93 * years);
         CHECK(percentiles >= .93 * years);
-        CHECK(width < .022 / 3 + bound);  // a third of an hour's own
+        CHECK(width < .0062 + bound);  // an hour's own is .022
     }
 }

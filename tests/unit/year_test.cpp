@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "temp_folder.h"
+#include "uncertainty/student.h"
 #include "year/honeybee.h"
 #include "year/next.h"
 #include "year/plot.h"
@@ -55,7 +56,7 @@ TEST_CASE("the last line of each hour counts, without its bias, in files joined 
     CHECK(hours[0].dark);
     CHECK(hours[0].dgp.error == 0);
     CHECK(hours[1].dgp.value == doctest::Approx(.4));
-    CHECK(hours[1].half_width() == doctest::Approx(.01));
+    CHECK(hours[1].high() == doctest::Approx(.4 + .01 + .003));
     CHECK(hours[1].dgp.bound == .003);
     CHECK(hours[2].frames == 40);
     CHECK(hours[2].dgp.value == doctest::Approx(.31));
@@ -109,6 +110,48 @@ TEST_CASE("with DGPf.px the error of pixels is smaller, and what it says counts 
     CHECK(holds(down, .40));
     CHECK(!holds(up, .40));
     CHECK(holds(up, .43));
+}
+
+TEST_CASE("a year is the same whatever the certainty of the table's limits") {
+    TempFolder folder;
+    const auto year = [&](double certain, bool errors) {
+        std::string text = "frame\tsky\tDGPf\tDGPf.lo\tDGPf.hi\tpixels" + std::string(errors ? "\terrors\n" : "\n");
+        const double t = uncertainty::student_quantile(1 - certain, 4);
+        for (int h = 8; h < 18; ++h) {
+            char row[200];
+            const double dgp = .38 + .004 * (h - 8), error = .004;
+            std::snprintf(row, sizeof row, "8\t0621_%02d30\t%g\t%g\t%g\t1e12%s\n", h, dgp, dgp - t * error,
+                          dgp + t * error, errors ? "\tEv=3/7 DGPf=0.004/4" : "");
+            text += row;
+        }
+        const Tables tables = read_tables({folder.holding("c.tsv", text)});
+        CHECK(tables.no_errors == !errors);
+        return summary(tables.views, {judge(tables.views[0], .05)}, "");
+    };
+    for (const double certain : {.6, .9, .99}) {
+        CHECK(year(certain, true) == year(.95, true));
+        CHECK(year(certain, false) != year(.95, false));
+    }
+}
+
+TEST_CASE("where every frame is at the cap there is a year; illuminance alone decides where it is above a limit") {
+    TempFolder folder;
+    const auto read = [&](const char* ev) {
+        const std::string text = "frame\tsky\tEv\tEv.lo\tEv.hi\tDGPf\tDGPf.lo\tDGPf.hi\tDGP.px\tDGPf.px\terrors\n",
+                          end = "\t1\tnan\tnan\t0\t0\tEv=100/8\n";
+        const std::string path =
+            folder.holding("s.tsv", text + "9\t0621_1230\t" + ev + end + "9\t0622_1230\t" + ev + end);
+        return read_tables({path}).views[0];
+    };
+    const View bright = read("9000\t8900\t9100"), dim = read("5000\t4900\t5100");
+    const Verdict sure = judge(bright, .05), open = judge(dim, .05);
+    CHECK(sure.undecided == 0);
+    CHECK(sure.above[2].low == 2);
+    CHECK(sure.exceeded.low == doctest::Approx(.16 + 5.87e-5 * (9000 - 100 * 2.306)).epsilon(1e-3));
+    CHECK(sure.exceeded.high == doctest::Approx(1));
+    CHECK(open.undecided == 2);  // 4770 lx are not enough for .45
+    CHECK(open.above[1].low == 2);
+    CHECK(open.above[2].low == 0);
 }
 
 TEST_CASE("views are told apart; exact tables have no intervals") {

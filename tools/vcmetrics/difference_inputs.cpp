@@ -102,7 +102,8 @@ double told_apart(double low, double high) { return std::isnan(low + high) ? std
 int difference_inputs(const Options& o) {
     const Side a = read_side(o, o.files[0]), b = read_side(o, o.files[1]);
     require_pairs(a, b);
-    const std::vector<std::string> names = {"row", "metric", "first", "second", "difference", "lo", "hi", "apart"};
+    const std::vector<std::string> names = {"row", "metric", "first", "second", "difference",
+                                            "lo",  "hi",     "apart", "se",     "df"};
     std::string text = header_line(names, o.format);
     for (size_t row = 0; row < a.totals.size(); ++row) {
         const std::vector<uncertainty::Estimate> d = differences(a, b, row);
@@ -113,8 +114,8 @@ int difference_inputs(const Options& o) {
             std::vector<Cell> cells = {text_cell(label.empty() ? std::to_string(row + 1) : label),
                                        text_cell(a.columns[k].name)};
             const double low = d[k].value + off.low, high = d[k].value + off.high;
-            for (double v :
-                 {a.totals[row].values[k], b.totals[row].values[k], d[k].value, low, high, told_apart(low, high)})
+            for (double v : {a.totals[row].values[k], b.totals[row].values[k], d[k].value, low, high,
+                             told_apart(low, high), d[k].error_known_after(d[k].frames), d[k].degrees})
                 cells.push_back(number_cell(v));
             text += table_line(names, cells, o.format);
         }

@@ -13,6 +13,7 @@
 #include "display/point_map.h"
 #include "image/grey.h"
 #include "image/header.h"
+#include "report/errors.h"
 #include "run.h"
 
 namespace {
@@ -59,8 +60,15 @@ std::vector<std::string> names_of_grids(const Options& o, const image::Header& h
 std::vector<std::string> names_of_points(bool by_number, bool skies) {
     std::vector<std::string> names = {"grid", "x", "y", "z", "dx", "dy", "dz", "E", "lo", "hi"};
     if (by_number) names = {"grid", "point", "E", "lo", "hi"};
+    names.push_back(errors_column);
     if (skies) names.insert(names.begin(), "sky");
     return names;
+}
+
+std::string errors_cell(const uncertainty::NoisyValues& v, size_t i) {
+    std::string cell;
+    if (v.degrees > 0) add_error("E", {v.error[i], v.degrees}, cell);
+    return cell.empty() ? "-" : cell;
 }
 
 GridState begin(const Options& o, const image::Header& h, Progress progress) {
@@ -194,6 +202,7 @@ std::string rows_of_points(const Options& o, const GridState& s) {
                     for (const double x : {v.x, v.y, v.z}) cells.push_back(number_cell(x));
             const uncertainty::Interval limits = point_limits(s.grids[g], i, 1 - o.ci.value_or(.95));
             for (const double v : {s.grids[g].value[i], limits.low, limits.high}) cells.push_back(number_cell(v));
+            cells.push_back(text_cell(errors_cell(s.grids[g], i)));
             text += table_line(s.names, cells, o.format);
         }
     return text;

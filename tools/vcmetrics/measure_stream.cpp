@@ -157,7 +157,7 @@ report::NumberTable measure_table(const Options& options, const std::string& fil
     o.metrics = metrics;
     if (o.mode == OutputMode::evalglare) o.mode = OutputMode::vcmetrics;  // its rounding stays, the columns are ours
     const RunPlan plan = plan_run(o);
-    NumberTable table{file, {}, {"frame"}, {}, {}};
+    NumberTable table{file, {}, {"frame"}, {}, {}, {}};
     for (const Column& c : plan.columns) table.names.push_back(c.name);
     image::StreamReader reader(file, pixels_for(o));
     image::Picture picture;

@@ -79,7 +79,18 @@ std::vector<std::string> column_names(const Options& o, const std::vector<Column
     }
     if (o.go_on) out.push_back("settled");
     if (o.ci) out.push_back(is_aligned(o) ? "tails    " : "tails");
+    if (o.ci && !is_aligned(o)) out.push_back(errors_column);
     return out;
+}
+
+std::string errors_cell(const Options& o, const std::vector<Column>& columns, const Row& row) {
+    std::string cell;
+    for (size_t k = 0; k < columns.size(); ++k) {
+        if (!columns[k].printed) continue;
+        if (has_interval(o, columns[k])) add_error(columns[k].name, row.numbers[k].error, cell);
+        if (has_difference(o, columns[k])) add_error(columns[k].name + ".d", row.differences[k].error, cell);
+    }
+    return cell.empty() ? "-" : cell;
 }
 
 std::vector<Cell> column_cells(const Options& o, const std::vector<Column>& columns, const Row& row) {
@@ -95,6 +106,7 @@ std::vector<Cell> column_cells(const Options& o, const std::vector<Column>& colu
     }
     if (o.go_on) out.push_back(number_cell(row.settled));
     if (o.ci) out.push_back(text_cell(row.heavy_tailed.empty() ? "-" : row.heavy_tailed));
+    if (o.ci && !is_aligned(o)) out.push_back(text_cell(errors_cell(o, columns, row)));
     return out;
 }
 

@@ -20,14 +20,15 @@ namespace {
 Number number_of(const Options& o, const Column& c, const uncertainty::Estimate& e, const Measurement& m,
                  int64_t frame) {
     const bool shows_estimate = c.printed_unbiased && !(c.of_filled && std::isnan(e.value));
-    Number out{shows_estimate ? e.value : c.value(m), 0, {std::nan(""), std::nan("")}};
+    Number out{shows_estimate ? e.value : c.value(m), 0, {std::nan(""), std::nan("")}, {std::nan(""), 0}};
     out.middle = c.has_bias() ? e.value : out.value;
-    if (o.ci) out.off = e.around(1 - *o.ci, c.has_bias() ? e.frames : frame);
+    const int64_t n = c.has_bias() ? e.frames : frame;
+    if (o.ci) out.off = e.around(1 - *o.ci, n), out.error = {e.error_known_after(n), e.degrees};
     return out;
 }
 
 Number difference_of(const Options& o, const uncertainty::Estimate& d) {
-    return {d.value, d.value, d.around(1 - o.ci.value_or(.95), d.frames)};
+    return {d.value, d.value, d.around(1 - o.ci.value_or(.95), d.frames), {d.error_known_after(d.frames), d.degrees}};
 }
 
 Row row_of(const Options& o, const RunState& run, const image::Header& header, const PicturePlace& place,

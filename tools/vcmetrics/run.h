@@ -9,6 +9,7 @@
 #include <vector>
 #include "image/picture.h"
 #include "report/against.h"
+#include "report/errors.h"
 #include "report/sum.h"
 #include "run_plan.h"
 
@@ -36,6 +37,7 @@ bool is_followed(const image::Header& header, int64_t frame);
 struct Number {
     double value, middle;
     uncertainty::Interval off;  // nan: none
+    report::NumberError error;  // likewise
 };
 struct Row {
     std::string file, view, sky;  // view, sky: their names

@@ -103,6 +103,8 @@ int work(int argc, char** argv) {
     Options opt;
     if (auto status = parse_options(argc, argv, opt)) return *status;
     year::Tables tables = year::read_tables(opt.tables);
+    if (tables.no_errors)
+        base::warn(opt.tables.front(), "no column errors (of an earlier vcmetrics): .lo and .hi count as of 95 %");
     if (tables.exact) base::warn(opt.tables.front(), "no intervals (vcmetrics -ci 95): values count as exact");
     else if (tables.no_pixels) base::warn(opt.tables.front(), "no column pixels: pictures count as 64 x 64");
     if (tables.grids.empty()) choose_view(opt.view, tables.views);

@@ -6,7 +6,7 @@ const classes = { DGP: [.35, .40, .45], DGPu: [.35, .40, .45], DGPf: [.35, .40, 
 // Effect of pixels on a metric: evalglare's (DGP, DGPu) lack it, DGPf has it.
 const of_pixels = (name, row) => name.endsWith('f') ? -row[`${name.slice(0, -1)}.px`] : row[`${name.replace(/u$/, '')}.px`];
 const beside = /\.(lo|hi|d)$/, most_runs = 12;
-const no_metric = new Set(['frame', 'seconds', 'tails', 'view', 'sky', 'edit', 'settled']);
+const no_metric = new Set(['frame', 'seconds', 'tails', 'errors', 'view', 'sky', 'edit', 'settled']);
 
 // Lines become rows of numbers by name, in runs: a run is what one edit of the scene has brought.  A line of names begins
 // a new table, a smaller number of frames or another edit a new run.

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// See table_row.h.
+#include "year/table_row.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+#include "report/errors.h"
+#include "uncertainty/student.h"
+
+namespace year {
+namespace {
+
+// DGP of light that reaches the eye without any source of glare (J. Wienold and J. Christoffersen, Evaluation methods
+// and development of a new glare prediction model, Energy and Buildings 38, 2006): sources only add to it.
+double dgp_of(double lux) { return 5.87e-5 * lux + .16; }
+
+// The error of DGPf from pixels (docs/decisions/0038-a-year.md).  DGPf.px is what joined or parted sources change; the
+// rest is some thousandths in round pictures of 64 x 64, half of it when the sides double, or a share of what filling
+// the pixels adds.  Without DGPf.px it counts as all of that.
+void add_error_of_pixels(Hour& h, double pixel_error, std::optional<double> joins) {
+    const double at_64 = joins ? .0015 : .005, share = joins ? 1. / 3 : 1;
+    h.dgp.bound = std::max(at_64 * std::sqrt(pixels_of_64 / h.pixels), share * std::fabs(pixel_error));
+    h.dgp.jump = joins.value_or(0);
+}
+
+// Where a column stands; nothing if the table lacks it.
+std::optional<size_t> column(const std::vector<std::string>& names, const std::string& name) {
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end()) return std::nullopt;
+    return size_t(found - names.begin());
+}
+
+// What the row says of the error of a number; without that, what its limits say if they are of 95 %.
+report::NumberError error_of(const Columns& c, const report::NumberRow& row, const std::string& name,
+                             const std::string& place) {
+    if (c.errors) {
+        constexpr report::NumberError unknown{NAN, uncertainty::Uncertain::infinite};
+        return report::error_of(name, row.notes[*c.errors], place).value_or(unknown);
+    }
+    return {(row.values[*c.high] - row.values[*c.low]) / 2 / normal_quantile, uncertainty::Uncertain::infinite};
+}
+
+// The DGP that an hour has by the lower limit of its illuminance alone; 0 where the correction of low light counts.
+double least_dgp(const Columns& c, const report::NumberRow& row, const std::string& place) {
+    constexpr double low_light = 1000;  // lx
+    if (!c.ev || !c.ev_low) return 0;
+    double lux = row.values[*c.ev_low];
+    if (c.errors) {
+        const report::NumberError e = error_of(c, row, "Ev", place);
+        lux = row.values[*c.ev] - uncertainty::student_of_normal(normal_quantile, e.degrees) * e.error;
+    }
+    return lux > low_light ? std::min(dgp_of(lux), 1.) : 0;
+}
+
+}  // namespace
+
+Columns::Columns(const report::NumberTable& t) {
+    view = column(t.labels, "view"), sky = column(t.labels, "sky"), frame = column(t.labels, "frame");
+    grid = column(t.labels, "grid"), point = column(t.labels, "point");
+    errors = column(t.notes, report::errors_column);
+    name = grid ? "E" : column(t.names, "DGPf") ? "DGPf" : "DGP";
+    const std::string end = grid ? "" : name + ".";
+    value = column(t.names, name), low = column(t.names, end + "lo"), high = column(t.names, end + "hi");
+    pixel_error = column(t.names, "DGP.px"), joins = column(t.names, "DGPf.px");
+    ev = column(t.names, "Ev"), ev_low = column(t.names, "Ev.lo"), pixels = column(t.names, "pixels");
+    if (!sky) base::fail(t.name, "has no column sky with the names of hours (ptrace -wea)");
+    if (!value) base::fail(t.name, grid ? "has no column E" : "has no column DGPf or DGP");
+    if (grid && !point) base::fail(t.name, "has no column point (vcmetrics -each without -points)");
+    if (grid && (!low || !high)) base::fail(t.name, "has no columns lo and hi");
+}
+
+weather::Time time_of(const std::string& name, const std::string& place) {
+    const auto time = weather::parse_name(name);
+    if (!time || time->hour < 0) base::fail(place, "\"" + name + "\" is not the name of an hour (0621_1430)");
+    return *time;
+}
+
+Hour hour_of(const Columns& c, const report::NumberRow& row, const std::string& place) {
+    const auto cell = [&](const std::optional<size_t>& at) {
+        return at ? std::optional(row.values[*at]) : std::nullopt;
+    };
+    Hour h;
+    h.time = time_of(row.labels[*c.sky], place);
+    h.dgp.value = row.values[*c.value];
+    h.dark = cell(c.ev) == 0;
+    if (c.frame) h.frames = std::atof(row.labels[*c.frame].c_str());
+    if (cell(c.pixels) > 0) h.pixels = *cell(c.pixels);
+    h.least_pixels = h.pixels;
+    if (h.dark || !c.low || !c.high) return h;
+    const report::NumberError e = error_of(c, row, c.name, place);
+    const double middle = (*cell(c.low) + *cell(c.high)) / 2;
+    h.is_known = std::isfinite(middle) && e.error >= 0;
+    if (h.is_known) {
+        h.dgp.value = middle, h.dgp.error = e.error, h.dgp.degrees = e.degrees;
+        add_error_of_pixels(h, cell(c.pixel_error).value_or(0), cell(c.joins));
+    } else {
+        h.dgp.bound = 1;
+    }
+    h.dgp.least = least_dgp(c, row, place);
+    h.dgp.most = 1;
+    return h;
+}
+
+Lux lux_of(const Columns& c, const report::NumberRow& row, const std::string& place) {
+    const double e = row.values[*c.value];
+    const report::NumberError error = error_of(c, row, c.name, place);
+    Lux lux{float(e), float(error.error), float(error.degrees)};
+    if (e == 0 && std::isnan(error.error)) lux.error = 0;
+    return lux;
+}
+
+}  // namespace year

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A row of vcmetrics' tables as an hour of a view, or as an hour's light at a sensor.
+#pragma once
+#include <optional>
+#include <string>
+
+#include "report/number_table.h"
+#include "year/table.h"
+
+namespace year {
+
+// Where the columns stand.  DGPf where it is there, else DGP; of sensors E, whose limits are called lo and hi.
+struct Columns {
+    std::optional<size_t> view, sky, frame, grid, point;  // among labels
+    std::optional<size_t> errors;                         // among notes
+    std::optional<size_t> value, low, high, pixel_error, joins, ev, ev_low, pixels;
+    std::string name;  // of the value
+
+    // Throws Error (place: the table) where one is missing.
+    explicit Columns(const report::NumberTable& table);
+};
+
+weather::Time time_of(const std::string& name, const std::string& place);
+Hour hour_of(const Columns& columns, const report::NumberRow& row, const std::string& place);
+Lux lux_of(const Columns& columns, const report::NumberRow& row, const std::string& place);
+
+}  // namespace year
