@@ -10,7 +10,11 @@
 
 namespace base {
 
+// Of -second-sky: how many suns and skies a scene may have.
+enum class Skies { any, one, of_weather };
+
 struct ReadOptions {
+    Skies skies = Skies::any;                // of_weather: none but that
     bool exec = false;                       // -exec: "!command" other than the built-in generators may run
     std::vector<std::string> raypath;        // directories in order; empty = "." only
     std::vector<std::string> scene_folders;  // where the scene files lie: searched after these

@@ -16,6 +16,7 @@ const Scene& Assets::load(const std::string& path, const std::string& place, int
     }
     ReadOptions how = options_;
     how.asked_by = place;
+    how.skies = Skies::any;  // sources inside do not shine
     auto scene = std::make_unique<Scene>(read_scene({path}, how, limits_));
     for (const Object& o : scene->objects)
         if (o.type == Type::instance)

@@ -20,6 +20,7 @@ using base::find_file;
 using base::inverse;
 using base::parse_xform;
 using base::ReadOptions;
+using base::Skies;
 using base::Xform;
 
 // Every primitive type of the language; names as in the files (type_name, type_from_name).

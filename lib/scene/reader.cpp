@@ -7,6 +7,7 @@
 #include "base/printable.h"
 #include "base/split.h"
 #include "scene/octree.h"
+#include "scene/skies.h"
 #include "scene/types.h"
 
 namespace scene {
@@ -20,6 +21,15 @@ bool is_mesh(base::TextReader& in) {
 // For messages: polygon "floor".
 std::string described(const Primitive& p) {
     return std::string(type_name(p.type)) + " \"" + base::excerpt(p.name) + '"';
+}
+
+// Files that people take for scenes, by their first word.
+void refuse_other_files(const base::TextReader& in, const std::string& first_word) {
+    if (base::begins_with(first_word, "LOCATION,") || first_word == "place")
+        base::fail(in.name(), "is a weather file, no scene: ptrace -wea takes it");
+    if (first_word.find('=') != std::string::npos)
+        base::fail(in.place(),
+                   "\"" + base::excerpt(first_word) + "\" is of an input file of rad(1): ptrace -rif takes it");
 }
 
 }  // namespace
@@ -134,7 +144,10 @@ void SceneReader::primitive(base::TextReader& in) {
     in.word(word);
     p.modifier = word;
     if (!in.word(word)) base::fail(in.place(), "the file ends after \"" + base::excerpt(p.modifier) + "\"");
-    if (!type_from_name(word, p.type)) base::fail(in.place(), "unknown type \"" + base::excerpt(word) + "\"");
+    if (!type_from_name(word, p.type)) {
+        refuse_other_files(in, p.modifier);
+        base::fail(in.place(), "unknown type \"" + base::excerpt(word) + "\"");
+    }
     if (!in.word(word)) base::fail(in.place(), std::string("the file ends after \"") + type_name(p.type) + "\"");
     p.name = word;
     if (p.modifier.find('\t') != std::string::npos || p.name.find('\t') != std::string::npos)
@@ -168,16 +181,20 @@ void SceneReader::primitive(base::TextReader& in) {
 }
 
 void read_more(Scene& scene, const std::vector<std::string>& files, const ReadOptions& options, const Limits& limits) {
+    const size_t before = scene.objects.size();
     SceneReader reader(scene, options, limits);
     for (const std::string& file : files) {
         if (file[0] == '!') reader.read_statements(file, "command line", 1);
         else reader.read_file(file, options.asked_by);
     }
+    if (options.skies != Skies::any && before > 0) require_one_sky(scene, before);
 }
 
 Scene read_scene(const std::vector<std::string>& files, const ReadOptions& options, const Limits& limits) {
     Scene scene;
     read_more(scene, files, options, limits);
+    if (options.skies == Skies::of_weather) require_no_sky(scene);
+    if (options.skies == Skies::one) warn_of_two_skies(scene);
     return scene;
 }
 

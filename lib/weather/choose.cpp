@@ -5,12 +5,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <set>
 
 #include "base/error.h"
 #include "base/number.h"
 #include "base/printable.h"
 #include "base/split.h"
+#include "weather/day_rule.h"
 #include "weather/schedule.h"
 
 namespace weather {
@@ -44,14 +46,35 @@ std::optional<Date> date_named(const std::string& text) {
     return Date{*month + 1, int(day)};
 }
 
+constexpr const char* separators = " \t\r\n,";
+
+// Blanks and commas part words, but not those of a path: of "@my hours,1.csv 8-18" the longest file that is there.
+std::vector<std::string> words_of(const std::string& text) {
+    std::vector<std::string> words;
+    for (size_t at = text.find_first_not_of(separators); at < text.size();
+         at = text.find_first_not_of(separators, at)) {
+        const size_t first_end = std::min(text.find_first_of(separators, at), text.size());
+        size_t end = text[at] == '@' ? text.size() : first_end;
+        std::error_code absent;
+        while (end > first_end && !std::filesystem::exists(text.substr(at + 1, end - at - 1), absent))
+            end = std::max(first_end, text.find_last_of(separators, end - 1));
+        words.push_back(text.substr(at, end - at));
+        at = end;
+    }
+    return words;
+}
+
 class HourWords {
 public:
-    explicit HourWords(const Weather& w) : weather_(w), first_weekday_(w.first_weekday) {
+    HourWords(const Weather& w, std::optional<double> used_from)
+        : weather_(w), used_from_(used_from), first_weekday_(w.first_weekday) {
         leap_ = std::any_of(w.hours.begin(), w.hours.end(),
                             [](const Hour& h) { return h.time.date.in_leap_year() == leap_day; });
     }
     void read(const std::string& word);
+    void finish();  // all words are read
     bool uses(const Hour& hour) const;
+    bool names(const Hour& hour) const { return named_.count(hour.time.minute_of_year()) > 0; }
     std::vector<size_t> share(std::vector<size_t> hours) const;
     std::string note() const;
 
@@ -62,11 +85,13 @@ private:
     void read_share(const std::string& word, size_t slash);
 
     const Weather& weather_;
+    std::optional<double> used_from_;
     std::vector<Span> weekdays_, months_, hours_, days_;
-    std::set<int> minutes_;  // of hours by name
+    std::set<int> minutes_, named_;  // of hours in files and by name; by name alone
+    std::optional<DayRule> summer_[2];
     std::vector<Schedule> schedules_;
     int first_weekday_;
-    bool leap_ = false, summer_ = false;
+    bool leap_ = false;
     Span summer_days_{0, 0};
     size_t part_ = 1, parts_ = 1;
 };
@@ -93,6 +118,7 @@ bool HourWords::read_name(const std::string& word) {
         if (std::none_of(weather_.hours.begin(), weather_.hours.end(), same))
             base::fail(option, word + " is not an hour of " + weather_.path);
         minutes_.insert(t->minute_of_year());
+        named_.insert(t->minute_of_year());
         return true;
     }
     if (date_named(word)) return read_span(word, word);
@@ -104,18 +130,30 @@ bool HourWords::read_name(const std::string& word) {
 }
 
 void HourWords::read_summer_time(const std::string& word) {
-    summer_ = true;
-    summer_days_ = {double(weather_.summer_time[0]), double(weather_.summer_time[1])};
     if (word == "dst") {
-        if (summer_days_.from == 0 || summer_days_.to == 0)
+        const std::string& from = weather_.summer_time[0];
+        if (from.empty())
             base::fail(option, weather_.path + " states no daylight saving; say its dates: dst=29Mar-25Oct");
+        for (int k : {0, 1}) {
+            const std::string& text = weather_.summer_time[k];
+            summer_[k] = parse_day_rule(text);
+            if (!summer_[k])
+                base::fail(option, weather_.path + ": daylight saving: \"" + base::excerpt(text) +
+                                       "\" is no date; say its dates: dst=29Mar-25Oct");
+        }
         return;
     }
     const size_t dash = word.find('-');
     const auto from = date_named(word.substr(4, dash - 4));
     const auto to = dash == std::string::npos ? std::nullopt : date_named(word.substr(dash + 1));
     if (!from || !to) base::fail(option, "\"" + base::excerpt(word) + "\" is not like dst=29Mar-25Oct");
-    summer_days_ = {double(from->in_leap_year()), double(to->in_leap_year())};
+    summer_[0] = DayRule{from->month, from->day}, summer_[1] = DayRule{to->month, to->day};
+}
+
+void HourWords::finish() {
+    if (!summer_[0]) return;
+    const auto day = [&](const DayRule& rule) { return double(rule.date(first_weekday_, leap_).in_leap_year()); };
+    summer_days_ = {day(*summer_[0]), day(*summer_[1])};
 }
 
 void HourWords::read_share(const std::string& word, size_t slash) {
@@ -128,7 +166,7 @@ void HourWords::read_share(const std::string& word, size_t slash) {
 
 void HourWords::read(const std::string& word) {
     if (word[0] == '@') {
-        Schedule s = read_schedule(word.substr(1), weather_);
+        Schedule s = read_schedule(word.substr(1), weather_, used_from_);
         if (s.minutes.empty()) return schedules_.push_back(std::move(s));
         minutes_.insert(s.minutes.begin(), s.minutes.end());
         return;
@@ -139,6 +177,10 @@ void HourWords::read(const std::string& word) {
     const size_t dash = word.find('-');
     const bool known =
         dash == std::string::npos ? read_name(word) : read_span(word.substr(0, dash), word.substr(dash + 1));
+    if (const auto time = clock_hour(word); !known && time && *time < 24)
+        base::fail(option,
+                   fmt::format("\"{0}\" is a moment; hours are a span, as {0}-{1}", word,
+                               std::to_string(int(*time) + 1) + word.substr(std::min(word.find(':'), word.size()))));
     if (!known)
         base::fail(option, "\"" + base::excerpt(word) +
                                "\" is no day (Mo-Fr), month (Jun), time (8-18), date (21Jun), share (3/16) or @file");
@@ -148,7 +190,7 @@ void HourWords::read(const std::string& word) {
 bool HourWords::uses(const Hour& h) const {
     int day = h.time.date.in_leap_year();
     double hour = h.time.hour;
-    if (summer_ && summer_days_.holds(day)) hour += 1;
+    if (summer_[0] && summer_days_.holds(day)) hour += 1;
     if (hour >= 24) {
         hour -= 24;
         day = day == 366 ? 1 : day + 1;
@@ -173,7 +215,7 @@ std::vector<size_t> HourWords::share(std::vector<size_t> hours) const {
 std::string HourWords::note() const {
     std::string text = fmt::format("1 January is a {}, standard time is UTC{:+g}", weekday_name(first_weekday_),
                                    -weather_.meridian_deg / 15 + 0.);
-    if (summer_)
+    if (summer_[0])
         text += fmt::format(", the clock is an hour ahead from {} to {}", day_text(date_of(int(summer_days_.from))),
                             day_text(date_of(int(summer_days_.to))));
     return text;
@@ -181,11 +223,10 @@ std::string HourWords::note() const {
 
 }  // namespace
 
-Choice choose_hours(const Weather& w, const std::string& words) {
-    HourWords rules(w);
-    std::string blanks = words;
-    std::replace(blanks.begin(), blanks.end(), ',', ' ');
-    for (const std::string& word : base::split_words(blanks)) rules.read(word);
+Choice choose_hours(const Weather& w, const std::string& words, std::optional<double> used_from) {
+    HourWords rules(w, used_from);
+    for (const std::string& word : words_of(words)) rules.read(word);
+    rules.finish();
     Choice c;
     for (size_t i = 0; i < w.hours.size(); ++i)
         if (rules.uses(w.hours[i])) c.hours.push_back(i);
@@ -193,6 +234,8 @@ Choice choose_hours(const Weather& w, const std::string& words) {
     c.note = rules.note();
     c.whole = c.hours.size();
     c.hours = rules.share(std::move(c.hours));
+    for (const size_t i : c.hours)
+        if (rules.names(w.hours[i])) c.named.insert(i);
     return c;
 }
 

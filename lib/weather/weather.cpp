@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "base/error.h"
 #include "base/number.h"
@@ -38,10 +39,16 @@ void Lines::split(char separator) {
         return;
     }
     for (size_t at = 0; at <= text_.size();) {
-        const size_t end = std::min(text_.find(separator, at), text_.size());
-        const size_t from = std::min(text_.find_first_not_of(" \t", at), end);
+        size_t from = std::min(text_.find_first_not_of(" \t", at), text_.size()), end = text_.find(separator, at);
+        std::string quoted;
+        if (from < text_.size() && text_[from] == '"') {
+            for (++from; from < text_.size() && (text_[from] != '"' || text_[++from] == '"'); ++from)
+                quoted += text_[from];
+            end = text_.find(separator, from);
+        }
+        end = std::min(end, text_.size());
         const size_t last = text_.find_last_not_of(" \t", end == 0 ? 0 : end - 1);
-        fields_.push_back(from < end ? text_.substr(from, last + 1 - from) : "");
+        fields_.push_back(quoted + (from < end && last >= from ? text_.substr(from, last + 1 - from) : ""));
         at = end + 1;
     }
 }
@@ -59,6 +66,8 @@ double Lines::number(size_t i, const char* what) const {
         fail(fmt::format("{}: \"{}\" is not a number", what, base::excerpt(fields_[i])));
     return v;
 }
+
+double Lines::number_or_nan(size_t i, const char* what) const { return field(i, what).empty() ? NAN : number(i, what); }
 
 double Lines::number(size_t i, const char* what, double low, double high) const {
     const double v = number(i, what);
@@ -79,19 +88,35 @@ void add_hour(const Lines& in, Hour hour, Weather& w) {
     w.hours.push_back(hour);
 }
 
+// West is positive in one format and east in the other: a sign that is lost puts the sun on the other side.  Zones are
+// quarters of an hour; others are those of solar time, whose meridian is the longitude, to a digit of an hour.
+static void require_zone(const Weather& w) {
+    constexpr double pole_deg = 89, apart_deg = 75, quarter_deg = 3.75, digit_deg = .76;
+    if (std::fabs(w.latitude_deg) > pole_deg) return;
+    const double off = std::remainder(w.longitude_deg - w.meridian_deg, 360);
+    const bool is_solar = std::fabs(std::remainder(w.meridian_deg, quarter_deg)) > .02;
+    if (std::fabs(off) <= (is_solar ? digit_deg : apart_deg)) return;
+    std::string text = fmt::format("the longitude {:g} west and the time zone of {:g} west do not go together",
+                                   w.longitude_deg, w.meridian_deg);
+    if (is_solar) text += ": one that is no quarter of an hour is that of solar time, whose meridian is the longitude";
+    if (std::fabs(std::remainder(w.longitude_deg + w.meridian_deg, 360)) < (is_solar ? digit_deg : std::fabs(off)))
+        text += fmt::format("; is the sign of one of them wrong ({:g} and {:g})?", w.longitude_deg, -w.meridian_deg);
+    base::fail(w.path, text);
+}
+
 Weather read_weather(const std::string& path) {
+    std::error_code absent;
+    if (std::filesystem::is_directory(path, absent))
+        base::fail(path, "is a folder; a file of weather is needed, EPW or WEA");
     Lines in(path);
     Weather w;
     w.path = path;
     if (!in.next()) base::fail(path, "is empty");
-    if (base::begins_with(in.text(), "LOCATION,")) read_epw(in, w);
+    if (is_epw(in)) read_epw(in, w);
     else if (base::begins_with(in.text(), "place ")) read_wea(in, w);
     else base::fail(path, "is neither EPW (LOCATION, ...) nor WEA (place ...)");
     if (w.hours.empty()) base::fail(path, "has no hours");
-    // West is positive in one format and east in the other: a sign that is lost puts the sun on the other side.
-    if (std::fabs(std::remainder(w.longitude_deg - w.meridian_deg, 360)) > 75)
-        base::fail(path, fmt::format("the longitude {:g} west and the time zone of {:g} west do not go together",
-                                     w.longitude_deg, w.meridian_deg));
+    require_zone(w);
     const auto minute = [](const Hour& h) { return h.time.minute_of_year(); };
     std::stable_sort(w.hours.begin(), w.hours.end(),
                      [&](const Hour& a, const Hour& b) { return minute(a) < minute(b); });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A year of weather from an EPW or a WEA file: the sun's and the sky's light of each hour.
 #pragma once
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -12,7 +13,8 @@ namespace weather {
 // A line of the file: means over an hour, or a part of one.
 struct Hour {
     Time time;                               // its middle
-    double direct_wm2 = 0, diffuse_wm2 = 0;  // normal and horizontal, as the file has them
+    double direct_wm2 = 0, diffuse_wm2 = 0;  // normal and horizontal, as the file has them; NAN: an empty field
+    double global_wm2 = NAN;                 // horizontal, likewise; WEA files have none
     double dew_point_c = 99.9;               // above 70: not known
     uint32_t line = 0;
 };
@@ -22,14 +24,18 @@ struct Weather {
     double latitude_deg = 0, longitude_deg = 0, meridian_deg = 0;  // north; west, as RADIANCE has them
     double step_min = 60;                                          // length of an Hour
     int first_weekday = 6;                                         // of 1 January, 0: Monday
-    int summer_time[2] = {0, 0};  // daylight saving from and to this day (Date::in_leap_year); 0: not stated
-    std::vector<Hour> hours;      // by date, whatever the order of the lines
+    std::string summer_time[2];  // daylight saving from and to this day, as the file has it; empty: not stated
+    std::vector<Hour> hours;     // by date, whatever the order of the lines
+    double shift_h = 0;          // -wea-shift: the sun is where it stands so many hours later
+
+    // Of the sun: hours later are degrees west.
+    double sun_meridian_deg() const { return meridian_deg + 15 * shift_h; }
 
     std::string place_of(const Hour& hour) const { return path + ":" + std::to_string(hour.line); }
 };
 
 // Throws Error (place: file and line) where the file is neither format, a line is broken or an hour comes twice.
-// A missing value (9999) is an error only where it is needed (sky.h).
+// A missing value (9999, -999, an empty field) is an error only where it is needed (sky.h).
 Weather read_weather(const std::string& path);
 
 }  // namespace weather

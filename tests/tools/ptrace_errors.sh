@@ -57,6 +57,19 @@ in_units() {
 check 'a room in kilometres, metres or millimetres is rendered without a word' '
     for s in .001 1 1000; do in_units $s; ! grep -v "writing frames" said || exit 1; done'
 rm -f room.rad said frame
+printf 'LOCATION,Here\nDATA PERIODS,1\n' > weather.epw
+printf 'place Here\nlatitude 1\n' > weather.wea
+printf '# rad\nscene= good.rad\n' > input.rif
+for file in weather.epw weather.wea; do
+    check_error "weather is no scene: $file" 1 "^ptrace: $file: is a weather file, no scene: ptrace -wea takes it$" "
+        ptrace $view -frames 1 $file | cat"
+done
+check_error 'nor is an input file of rad' 1 \
+    '^ptrace: input.rif:2: "scene=" is of an input file of rad.1.: ptrace -rif takes it$' "
+    ptrace $view -frames 1 input.rif | cat"
+check_error 'a folder is no weather' 1 '^ptrace: [.]: is a folder; a file of weather is needed, EPW or WEA$' "
+    ptrace $view -wea . -frames 1 good.rad | cat"
+rm weather.epw weather.wea input.rif
 check_error 'a folder that is no model of Honeybee' 1 '^ptrace: folder: ' "ptrace $view -frames 1 folder | cat"
 check_error 'commands do not run unasked' 1 '^ptrace: command.rad:1: .*-exec' "ptrace $view -frames 1 command.rad | cat"
 check 'and did not' 'test ! -e ran'

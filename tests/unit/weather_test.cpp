@@ -122,7 +122,8 @@ TEST_CASE("a fault is one line with file and line") {
     CHECK(reading("place p\nlatitude 95\n") == "w:2: latitude 95 is not between -90 and 90");
     std::string east = wea_head, lux = wea_head;
     CHECK(reading(east.replace(east.find("longitude 105"), 13, "longitude -105") + "1 1 1.5 0 0\n") ==
-          "w: the longitude -105.18 west and the time zone of 105 west do not go together");
+          "w: the longitude -105.18 west and the time zone of 105 west do not go together; is the sign of one of them "
+          "wrong (-105.18 and -105)?");
     CHECK(reading(lux.replace(lux.find("units 1"), 7, "units 2") + "1 1 1.5 0 0\n") ==
           "w:6: only unit 1 is read: direct normal and diffuse horizontal irradiance in W/m2");
     CHECK(reading("LOCATION,a,b,c\n") == "w:1: the latitude is missing");
@@ -189,6 +190,59 @@ TEST_CASE("hours by days, months, the clock, names and files") {
     CHECK(name_of(w.hours[choose_hours(w, "@daysim").hours[0]].time) == "0301_0030");
 }
 
+TEST_CASE("lists of hours of the year, as Honeybee's sun-up-hours.txt") {
+    const Folder folder;
+    Folder::write("w.epw", year_epw());
+    const Weather w = read_weather("w.epw");
+    const auto first = [&](const std::string& words) { return name_of(w.hours[choose_hours(w, words).hours[0]].time); };
+    Folder::write("sun-up-hours.txt", "8.5\n9.5\n2000\n8759.5\n");
+    CHECK(count(w, "@sun-up-hours.txt") == 4);
+    CHECK(first("@sun-up-hours.txt") == "0101_0830");
+    CHECK(first("@sun-up-hours.txt Mar") == "0325_0830");
+    CHECK(first("@sun-up-hours.txt Dec") == "1231_2330");
+    std::string all;
+    for (int i = 0; i < 8760; ++i) all += std::to_string(i) + "\n";
+    Folder::write("all", all);
+    CHECK(count(w, "@all") == 8760);
+    Folder::write("beyond", "8.5\n8760\n");
+    CHECK(error_text([&] { choose_hours(w, "@beyond"); }) == "beyond: the hour of the year 8760 is not in w.epw");
+    Folder::write("leap.wea", wea_head + "2 28 12.5 1 1\n2 29 12.5 2 1\n3 1 12.5 3 1\n");
+    Folder::write("three", "1404.5\n1428.5\n1452.5\n");  // of a leap year
+    CHECK(count(read_weather("leap.wea"), "@three") == 3);
+    Folder::write("q.wea", wea_head + "3 1 12.125 3 1\n3 1 12.375 2 1\n3 1 12.625 1 1\n");
+    Folder::write("two", "1428.25\n1428.6\n");
+    CHECK(count(read_weather("q.wea"), "@two") == 2);
+}
+
+TEST_CASE("which fraction of a schedule counts") {
+    const Folder folder;
+    Folder::write("w.epw", year_epw());
+    const Weather w = read_weather("w.epw");
+    std::string values;
+    for (int i = 0; i < 8760; ++i)
+        values += i % 24 == 9 ? "1\n" : i % 24 == 10 ? ".1\n" : i % 24 == 11 ? "0.05\n" : "0\n";
+    Folder::write("values", values);
+    CHECK(count(w, "@values") == 2 * 365);
+    CHECK(choose_hours(w, "@values", .5).hours.size() == 365);
+    CHECK(choose_hours(w, "@values", .05).hours.size() == 3 * 365);
+    Folder::write("daysim", "3,1,9.5,.05\n3,1,10.5,1\n3,1,11.5,0\n");
+    CHECK(count(w, "@daysim") == 2);
+    CHECK(choose_hours(w, "@daysim", .1).hours.size() == 1);
+}
+
+TEST_CASE("paths of @file with blanks and commas") {
+    const Folder folder;
+    Folder::write("w.epw", year_epw());
+    const Weather w = read_weather("w.epw");
+    for (const char* name : {"plain", "a,b.csv", "a b.csv", "in use, 1.csv"}) {
+        Folder::write(name, "0621_1430\n0102_0030\n");
+        CHECK(count(w, std::string("Jun @") + name) == 1);
+        CHECK(count(w, std::string("@") + name + ",Jan 0-1") == 1);
+        CHECK(count(w, std::string("@") + name + " @plain") == 2);
+    }
+    CHECK(error_text([&] { choose_hours(w, "@no,b.csv"); }).find("no: cannot be read") == 0);
+}
+
 TEST_CASE("daylight saving shifts the clock, and the note says so") {
     const Folder folder;
     Folder::write("w.epw", year_epw());
@@ -206,6 +260,26 @@ TEST_CASE("daylight saving shifts the clock, and the note says so") {
     CHECK(first_of(summer, "0329") == 7.5);
     CHECK(first_of(summer, "1024") == 7.5);
     CHECK(first_of(summer, "1025") == 8.5);
+    // As the file states it, by dates and by weekdays: 2nd Sunday in March of a year that begins with a Sunday is the
+    // 12th.
+    for (const char* dates : {"3/12,11/5", " 3/12, 11/5 ", "12-Mar,5-Nov", "Mar 12,November 5", "12 Mar,5 Nov",
+                              "2nd Sunday in March,1st Sunday in November", "2nd sunday In mar,First Sunday of Nov",
+                              "\"Second Sunday in March\",\"1st Sunday in November\""}) {
+        CAPTURE(dates);
+        std::string text = year_epw();
+        Folder::write("dst.epw", text.replace(text.find("No,0,0,0"), 8, std::string("No,") + dates + ",0"));
+        CHECK(choose_hours(read_weather("dst.epw"), "8-18 dst").note ==
+              "1 January is a Sunday, standard time is UTC-7, the clock is an hour ahead from 12 Mar to 5 Nov");
+    }
+    std::string text = year_epw();
+    Folder::write("dst.epw",
+                  text.replace(text.find("No,0,0,0"), 8, "No,Last Sunday in March,last Sunday in October,0"));
+    CHECK(choose_hours(read_weather("dst.epw"), "dst 2024").note ==
+          "1 January is a Monday, standard time is UTC-7, the clock is an hour ahead from 31 Mar to 27 Oct");
+    text = year_epw();
+    Folder::write("dst.epw", text.replace(text.find("No,0,0,0"), 8, "No,in spring,in autumn,0"));
+    CHECK(error_text([&] { choose_hours(read_weather("dst.epw"), "dst"); }) ==
+          "-hours: dst.epw: daylight saving: \"in spring\" is no date; say its dates: dst=29Mar-25Oct");
     CHECK(count(w, "Su dst=1Jan-31Dec") == count(w, "Su"));                // 31 December, a Sunday, has its last hour
     CHECK(first_of(choose_hours(w, "Mo dst=0102-0110"), "0108") == 23.5);  // a Sunday by standard time
     CHECK(count(w, "8-18 dst=25Oct-29Mar") == 3650);                       // south
@@ -221,13 +295,15 @@ TEST_CASE("hours that mean nothing") {
     CHECK(said("18-18") ==
           "-hours: \"18-18\" is no day (Mo-Fr), month (Jun), time (8-18), date (21Jun), share (3/16) or @file");
     CHECK(said("0229") == "-hours: \"0229\" means no hour of w.epw");
+    CHECK(said("0321 12") == "-hours: \"12\" is a moment; hours are a span, as 12-13");
+    CHECK(said("8:30") == "-hours: \"8:30\" is a moment; hours are a span, as 8:30-9:30");
     CHECK(said("0621_1400") == "-hours: 0621_1400 is not an hour of w.epw");
     CHECK(said("17/16") == "-hours: \"17/16\" is not a share such as 3/16");
     CHECK(said("dst") == "-hours: w.epw states no daylight saving; say its dates: dst=29Mar-25Oct");
     Folder::write("short", "1\n0\n");
-    CHECK(said("@short") == "short: has 2 values, not 8760 or 8784");
+    CHECK(said("@short") == "short: has 2 values, not 8760 or 8784, and no rising hours of the year");
     Folder::write("mixed", "1\n0621_1430\n");
-    CHECK(said("@mixed") == "mixed: needs lines of one kind: names of hours, values, or month,day,hour,value");
+    CHECK(said("@mixed") == "mixed: needs lines of one kind: names of hours, numbers, or month,day,hour,value");
     Folder::write("unknown", "0621_1430\n0229_1430\n");
     CHECK(said("@unknown") == "unknown:2: 0229_1430 is not an hour of w.epw");
 }

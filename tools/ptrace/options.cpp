@@ -80,10 +80,13 @@ void choose_views(const std::optional<scene::RadInput>& rad_input, const std::st
 }
 
 void choose_hours(const base::OptionTable& table, Options& opt) {
-    if (opt.weather.empty() && table.given("-hours")) base::fail("-hours", "needs a weather file: -wea");
+    for (const char* name : {"-hours", "-occupied", "-wea-shift"})
+        if (opt.weather.empty() && table.given(name)) base::fail(name, "needs a weather file: -wea");
+    using scene::Skies;
+    opt.files.skies = opt.second_sky ? Skies::any : opt.weather.empty() ? Skies::one : Skies::of_weather;
     if (opt.weather.empty()) return;
     if (!opt.skies.empty()) base::fail("-wea", "has its own skies; -sky is for those of files");
-    HourSkies hours = skies_of_hours(opt.weather, opt.hours, opt.render.seed);
+    HourSkies hours = skies_of_hours(opt.weather, opt.hours, opt.hour_options, opt.render.seed);
     if (hours.skies.empty()) base::fail("-hours", "this share holds no hour");
     opt.skies = std::move(hours.skies);
     base::say("ptrace: " + hours.note);

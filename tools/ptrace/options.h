@@ -28,6 +28,8 @@ struct Options {
     int64_t first_view = 1;                 // -S: the number of the first one without a name
     std::vector<Sky> skies;                 // -sky, -wea: the scene with each of these in turn
     std::string weather, hours = "all";     // -wea, -hours
+    HourOptions hour_options;               // -occupied, -wea-shift
+    bool second_sky = false;                // -second-sky
     std::vector<std::string> points_files;  // -points: one picture of these points; "-": standard input
     std::optional<bool> sensors;            // -I: of -points; absent: not said
     std::vector<image::Grid> grids;         // of the points

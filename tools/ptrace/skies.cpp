@@ -6,7 +6,9 @@
 
 #include <filesystem>
 
+#include "base/error.h"
 #include "weather/choose.h"
+#include "weather/clock.h"
 #include "weather/sky.h"
 
 Sky sky_of_file(const std::string& path) { return {std::filesystem::path(path).stem(), path, std::nullopt, false, {}}; }
@@ -16,9 +18,21 @@ static uint64_t seed_of(const weather::Time& time, uint64_t seed) {
     return seed * 1000000 + uint64_t(time.minute_of_year());
 }
 
-HourSkies skies_of_hours(const std::string& weather_file, const std::string& hours, uint64_t seed) {
-    const weather::Weather w = weather::read_weather(weather_file);
-    const weather::Choice choice = weather::choose_hours(w, hours);
+// A warning where the file's own irradiances speak for another place of the sun.
+static void check_clock(const weather::Weather& w) {
+    if (const auto e = weather::clock_error(w))
+        base::warn(w.path, fmt::format("direct normal times sine of the sun's altitude, plus diffuse, is {:.1f} % off "
+                                       "the file's global irradiance (median), and {:.1f} % where the sun is moved by "
+                                       "{:+g} h: is the file's clock wrong?  -wea-shift {:g} moves it",
+                                       100 * e->as_placed, 100 * e->shifted, e->shift_h - w.shift_h, e->shift_h));
+}
+
+HourSkies skies_of_hours(const std::string& weather_file, const std::string& hours, const HourOptions& options,
+                         uint64_t seed) {
+    weather::Weather w = weather::read_weather(weather_file);
+    w.shift_h = options.shift_h;
+    check_clock(w);
+    const weather::Choice choice = weather::choose_hours(w, hours, options.used_from);
     HourSkies all;
     size_t dark = 0;
     for (const size_t i : choice.hours) {

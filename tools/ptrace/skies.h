@@ -17,9 +17,15 @@ struct Sky {
 // "skies/sky_0900.rad" has the name "sky_0900".
 Sky sky_of_file(const std::string& path);
 
+struct HourOptions {
+    std::optional<double> used_from;  // -occupied: of values of -hours @file; none: of the file's kind
+    double shift_h = 0;               // -wea-shift
+};
+
 // The hours chosen (weather/choose.h), and a line for the user about them.
 struct HourSkies {
     std::vector<Sky> skies;
     std::string note;
 };
-HourSkies skies_of_hours(const std::string& weather_file, const std::string& hours, uint64_t seed);
+HourSkies skies_of_hours(const std::string& weather_file, const std::string& hours, const HourOptions& options,
+                         uint64_t seed);
