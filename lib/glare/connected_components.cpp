@@ -3,11 +3,13 @@
 #include "glare/connected_components.h"
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace glare {
 namespace {
 
-constexpr int offset = 1 << 20;  // keeps cube coordinates positive in the key
+constexpr int offset = 1 << 20;          // keeps cube coordinates positive in the key
+constexpr size_t most_listed = 1 << 13;  // cells whose neighbours are found once; the usual reach has 3,000
 
 uint64_t key_of(int x, int y, int z) {
     return (uint64_t(x + offset) << 42) | (uint64_t(y + offset) << 21) | uint64_t(z + offset);
@@ -73,6 +75,20 @@ ConnectedComponents::ConnectedComponents(const Geometry& geometry, double reach)
     for (const uint64_t k : key)
         if (!cell_.empty() && keys_[cell_.back()] == k) cell_.push_back(cell_.back());
         else cell_.push_back(uint32_t(std::lower_bound(keys_.begin(), keys_.end(), k) - keys_.begin()));
+    if (keys_.size() <= most_listed) touching_ = preceding(true), farther_ = preceding(false);
+}
+
+ConnectedComponents::CellLists ConnectedComponents::preceding(bool touching) const {
+    std::vector<uint32_t> all(keys_.size());
+    std::iota(all.begin(), all.end(), 0u);
+    CellLists out;
+    out.from.resize(keys_.size() + 1);
+    for_preceding(keys_, all, touching, [&](uint32_t c, uint32_t o) {
+        out.cells.push_back(o);
+        ++out.from[c + 1];
+    });
+    std::partial_sum(out.from.begin(), out.from.end(), out.from.begin());
+    return out;
 }
 
 // Joins runs that overlap a run of the next row.
@@ -135,25 +151,41 @@ bool ConnectedComponents::within_reach(const std::vector<BoundaryPixel>& p, size
 }
 
 void ConnectedComponents::join_cells(std::vector<Run>& runs, const std::vector<BoundaryPixel>& boundary) const {
-    std::vector<uint32_t> first(keys_.size() + 1, 0), used;  // counting sort by cell
-    for (const BoundaryPixel& b : boundary) ++first[cell_[b.pixel] + 1];
-    for (uint32_t c = 0; c < keys_.size(); ++c) {
-        if (first[c + 1]) used.push_back(c);
-        first[c + 1] += first[c];
+    struct Range {
+        uint32_t first = 0, end = 0;
+    };
+    std::vector<Range> of(keys_.size());  // counting sort by cell
+    std::vector<uint32_t> used;
+    for (const BoundaryPixel& b : boundary)
+        if (of[cell_[b.pixel]].end++ == 0) used.push_back(cell_[b.pixel]);
+    uint32_t sum = 0;
+    for (const uint32_t c : used) {
+        const uint32_t count = of[c].end;
+        of[c] = {sum, sum};
+        sum += count;
     }
     std::vector<BoundaryPixel> sorted(boundary.size());
-    std::vector<uint32_t> next(first.begin(), first.end() - 1);
-    for (const BoundaryPixel& b : boundary) sorted[next[cell_[b.pixel]]++] = b;
+    for (const BoundaryPixel& b : boundary) sorted[of[cell_[b.pixel]].end++] = b;
 
     for (const uint32_t c : used)  // a cube is one piece
-        for (uint32_t k = first[c]; k + 1 < first[c + 1]; ++k)
+        for (uint32_t k = of[c].first; k + 1 < of[c].end; ++k)
             if (sorted[k].run != sorted[k + 1].run) unite(runs, sorted[k].run, sorted[k + 1].run);
-    for (const bool touching : {true, false})  // cells that do not touch last: most are joined by then
-        for_preceding(keys_, used, touching, [&](uint32_t c, uint32_t o) {
-            const uint32_t a = sorted[first[c]].run, b = sorted[first[o]].run;
-            if (root(runs, a) == root(runs, b)) return;
-            if (within_reach(sorted, first[c], first[c + 1], first[o], first[o + 1])) unite(runs, a, b);
-        });
+    const auto join = [&](uint32_t c, uint32_t o) {
+        const uint32_t a = sorted[of[c].first].run, b = sorted[of[o].first].run;
+        if (root(runs, a) == root(runs, b)) return;
+        if (within_reach(sorted, of[c].first, of[c].end, of[o].first, of[o].end)) unite(runs, a, b);
+    };
+    if (touching_.from.empty()) std::sort(used.begin(), used.end());
+    for (const bool touching : {true, false}) {  // cells that do not touch last: most are joined by then
+        const CellLists& lists = touching ? touching_ : farther_;
+        if (lists.from.empty()) {
+            for_preceding(keys_, used, touching, join);
+            continue;
+        }
+        for (const uint32_t c : used)
+            for (uint32_t k = lists.from[c]; k < lists.from[c + 1]; ++k)
+                if (of[lists.cells[k]].end > 0) join(c, lists.cells[k]);
+    }
 }
 
 uint32_t ConnectedComponents::label(std::vector<Run>& runs, uint32_t first_group) const {

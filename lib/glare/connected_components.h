@@ -28,6 +28,10 @@ private:
     struct BoundaryPixel {
         uint32_t pixel, run;
     };
+    struct CellLists {  // of each cell c those that precede it: cells[from[c]] to cells[from[c + 1] - 1]
+        std::vector<uint32_t> from, cells;
+    };
+    CellLists preceding(bool touching) const;
     std::vector<BoundaryPixel> boundary(const std::vector<Run>& runs) const;
     void join_rows(std::vector<Run>& runs) const;
     void join_cells(std::vector<Run>& runs, const std::vector<BoundaryPixel>& boundary) const;
@@ -36,8 +40,9 @@ private:
     const Geometry& geometry_;
     double cos_reach_;
     bool everything_, pixels_touch_;
-    std::vector<uint64_t> keys_;  // of cells, by number: their cubes in order
-    std::vector<uint32_t> cell_;  // by pixel
+    std::vector<uint64_t> keys_;    // of cells, by number: their cubes in order
+    std::vector<uint32_t> cell_;    // by pixel
+    CellLists touching_, farther_;  // empty: the cells are too many
 };
 
 }  // namespace glare

@@ -11,6 +11,8 @@ namespace glare {
 
 using base::pi;
 
+constexpr size_t most_kept = 1 << 16;  // pixels whose directions take no more memory than a picture of 360 x 360
+
 Geometry::Geometry(std::unique_ptr<const ViewGeometry> rays, int w, int h)
     : width(w),
       height(h),
@@ -19,16 +21,20 @@ Geometry::Geometry(std::unique_ptr<const ViewGeometry> rays, int w, int h)
       omega_cos(size_t(w) * h),
       rays_(std::move(rays)),
       largest_cosine_(rays_->largest_cosine()) {
+    const bool keeps = omega.size() <= most_kept;
+    std::vector<Vec3> kept(keeps ? omega.size() : 0);
     in_rows(h, [&, forward = line_of_sight()](int first, int end) {
         for (size_t i = size_t(first) * w; i < size_t(end) * w; ++i) {
-            if (!(omega[i] > 0)) continue;
             const Vec3 d = direction(i);
+            if (keeps) kept[i] = d;
+            if (!(omega[i] > 0)) continue;
             const double c = dot(forward, d);
             if (dot(d, d) == 0) omega[i] = 0;
             else if (projector.view().type == 'a' && c < 0) omega[i] = -omega[i];
             else omega_cos[i] = omega[i] * rays_->incidence(c);
         }
     });
+    if (keeps) directions_ = std::make_shared<const std::vector<Vec3>>(std::move(kept));
     find_spans();
 }
 

@@ -49,7 +49,7 @@ public:
     int y_of(size_t i) const { return height - 1 - int(i / width); }
     const ViewGeometry& rays() const { return *rays_; }
     Vec3 direction(int x, int y) const { return rays_->direction((x + 0.5) / width, (y + 0.5) / height); }
-    Vec3 direction(size_t i) const { return direction(x_of(i), y_of(i)); }
+    Vec3 direction(size_t i) const { return directions_ ? (*directions_)[i] : direction(x_of(i), y_of(i)); }
     Vec3 line_of_sight() const { return rays_->line_of_sight(); }
     // For angles to the line of sight.
     Vec3 seen_direction(int x, int y) const { return rays_->seen_direction((x + 0.5) / width, (y + 0.5) / height); }
@@ -65,6 +65,7 @@ public:
 private:
     void find_spans();
     std::shared_ptr<const ViewGeometry> rays_;
+    std::shared_ptr<const std::vector<Vec3>> directions_;  // of all pixels; null: they are too many to be kept
     double largest_cosine_;
 };
 

@@ -82,6 +82,7 @@ TEST_CASE("components are those of the definition") {
         compare('h', 180, 64, 0.1, 0, true, seed);
         compare('v', 80, 64, 0.1, 0.005, false, seed);
         compare('s', 120, 64, 0.1, 0, true, seed);
+        compare('a', 180, 120, 0.02, 0.05, false, seed);  // 11,000 cells
     }
 }
 
