@@ -83,8 +83,10 @@ Glare filled_glare(const Reading& r, const Images& images, const Measurement& m,
     const Geometry& g = r.placed_geometry ? *r.placed_geometry : r.geometry();
     Luminance classification = images.classification;
     classification.moments = images.lum.moments;
-    FilledPixels own = filled_pixels(images.lum), classified = filled_pixels(classification);
-    const Luminance light = own.as(images.lum), bright = classified.as(classification);
+    FilledPixels own = filled_pixels(images.lum), classified;
+    const bool one = classification.grey == images.lum.grey;
+    if (!one) classified = filled_pixels(classification);
+    const Luminance light = own.as(images.lum), bright = one ? light : classified.as(classification);
     Photometry photometry = m;
     photometry.ev = m.placed_ev;
     const Sources found = find_sources(light, bright, g, m.threshold, {});
@@ -123,6 +125,10 @@ Measurement measure(const Reading& r) {
     for (const FindSources& find : r.tables->find_by_other_reach)
         if (m.filled) m.of_other_reach.push_back(filled_glare(r, {r.lum, r.lum, {}, {}}, m, find));
     return m;
+}
+
+Glare measure_filled(const Reading& r, const Luminance& lum, const Measurement& m) {
+    return filled_glare(r, {lum, lum, {}, {}}, m, r.tables->find_sources);
 }
 
 double off_by_reach(const Measurement& m, double (*value)(const Glare&)) {

@@ -41,6 +41,8 @@ struct Measurement : Glare, SetStatistics {
 };
 
 Measurement measure(const Reading& reading);
+// Filled pixels of that picture by other moments; m: its measurement, which has filled ones.
+Glare measure_filled(const Reading& reading, const Luminance& lum, const Measurement& m);
 // Most that a formula of filled pixels is off with another reach, 0 where that joins and parts no sources.
 double off_by_reach(const Measurement& m, double (*value)(const Glare&));
 // Another image of the same view, on any thread.  classification_image: decides which pixels are bright.

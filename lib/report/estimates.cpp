@@ -77,17 +77,19 @@ constexpr int moment_pairs = 4;
 // with a random sign for each pixel, give the column's error: the mean square of half their differences (balanced
 // repeated replication with random signs; Wolter, Introduction to Variance Estimation, 2007, chapter 3).  Two values of
 // each column from each pair, 0 for columns that are not of filled pixels; empty: none is known.
-std::vector<uncertainty::Values> moment_values(const glare::Reading& whole, const std::vector<glare::Column>& columns) {
+std::vector<uncertainty::Values> moment_values(const glare::Reading& whole, const glare::Measurement& measured,
+                                               const std::vector<glare::Column>& columns) {
     const image::Moments& moments = whole.lum.moments;
     const auto of_filled = [](const glare::Column& c) { return c.of_filled; };
     if (!moments || std::none_of(columns.begin(), columns.end(), of_filled)) return {};
     std::vector<uncertainty::Values> seen(2 * moment_pairs);
     std::atomic<size_t> next{0};
     base::on_threads(std::min(base::processors(), unsigned(seen.size())), [&] {
+        glare::Measurement m = measured;
         for (size_t k = next++; k < seen.size(); k = next++) {
             glare::Luminance here = whole.lum;
             here.moments = moved(*moments, int(k / 2), k % 2 ? -1 : 1);
-            const glare::Measurement m = glare::measure(whole, here, here);
+            if (m.filled) m.filled = glare::measure_filled(whole, here, measured);
             for (const glare::Column& c : columns) seen[k].push_back(c.of_filled ? c.value(m) : 0);
         }
     });
@@ -140,7 +142,7 @@ Look look(const glare::Reading& whole, const glare::Measurement& m, const std::v
     metrics.filter_radius = filter_radius(g);
     Look out;
     out.replicates = uncertainty::replicate(mean, metrics, values(columns, m));
-    out.replicates.lasting_pairs = moment_values(whole, columns);
+    out.replicates.lasting_pairs = moment_values(whole, m, columns);
     out.own = out.estimates = uncertainty::estimate(out.replicates, metrics.quantities);
     for (size_t c = 0; c < before.own.size(); ++c) {
         const double carried = before.own[c].error_after(out.own[c].frames);
