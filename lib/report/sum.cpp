@@ -38,7 +38,8 @@ Sum another(const Sum& before) {
 
 }  // namespace
 
-Sum add(Sum sum, const image::Picture& picture, const glare::Reading& reading, const std::string& place, bool tells) {
+Sum add(Sum sum, const image::Picture& picture, const glare::Reading& reading, const std::string& place, bool tells,
+        bool passes) {
     const bool has_parts = !picture.parts.empty();
     const std::string lack = what_it_lacks(picture);
     const int64_t n = picture.header.frames.value_or(0), before = sum.last;
@@ -52,7 +53,9 @@ Sum add(Sum sum, const image::Picture& picture, const glare::Reading& reading, c
     if (has_parts) sum.taken = picture.parts;
     else if (n > 0) sum.growing.add(reading.lum.grey, reading.lum.size(), n, picture.header.seed);
     const int64_t m = picture.header.direct_frames.value_or(image::direct_samples);
-    if (has_parts || (n > 0 && n <= m)) {  // later pictures know less of it
+    // Later pictures know less of it, but those of so few frames that each range stays a part of its own.
+    const bool known_later = passes && *picture.header.last_frame <= std::min(m, int64_t(image::most_parts));
+    if (has_parts || (n > 0 && n <= m && !known_later)) {
         const glare::Geometry& g = reading.geometry();
         uncertainty::Frame0Error error = uncertainty::frame0_error(sum.parts(), m, g.width, g.height, counts(g));
         if (!error.of_pixel.empty()) sum.frame0_error = std::move(error);

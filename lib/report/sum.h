@@ -24,8 +24,10 @@ struct Sum {
     const std::vector<image::Part>& parts() const { return taken.empty() ? growing.parts() : taken; }
 };
 
-// With a picture that was read.  tells: why it is no step of a sum.
-Sum add(Sum sum, const image::Picture& picture, const glare::Reading& reading, const std::string& place, bool tells);
+// With a picture that was read.  tells: why it is no step of a sum.  passes: there is no look at it, but at a later
+// one.
+Sum add(Sum sum, const image::Picture& picture, const glare::Reading& reading, const std::string& place, bool tells,
+        bool passes = false);
 // With a look at that picture, where one is due; those before `first_look` frames are left out.
 Sum look(Sum sum, const glare::Reading& reading, const glare::Measurement& measurement,
          const std::vector<glare::Column>& columns, int64_t first_look);

@@ -90,8 +90,9 @@ std::pair<RunState, std::optional<Row>> step(const Options& o, RunState run, ima
     }
     const RunPlan& plan = run.plan;
     run.reading = read(plan.measured, p, place.text, o.view, std::move(run.reading));
-    if (plan.needs_looks) run.sum = add(std::move(run.sum), p, run.reading, place.text, plan.tells);
-    if (o.last && is_followed(p.header, frame_number(p.header, place))) return {std::move(run), std::nullopt};
+    const bool passes = o.last && is_followed(p.header, frame_number(p.header, place));
+    if (plan.needs_looks) run.sum = add(std::move(run.sum), p, run.reading, place.text, plan.tells, passes);
+    if (passes) return {std::move(run), std::nullopt};
     Measurement m = measure(run.reading);
     if (plan.needs_looks) {
         run.sum = look(std::move(run.sum), run.reading, m, plan.columns, plan.first_look);
