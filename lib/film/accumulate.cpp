@@ -13,6 +13,7 @@
 #include "base/processors.h"
 #include "base/threads.h"
 #include "base/value.h"
+#include "base/wide.h"
 #include "film/fingerprint.h"
 #include "image/header.h"
 
@@ -28,6 +29,14 @@ bool has_pixels_of(const image::Picture& picture, const ExactSum& sum, int64_t n
             if (float(eq7(picture.frame0, sum, n, i)) != picture.rgb[i]) same = false;
     });
     return same;
+}
+
+// Eq. 7 for a row of numbers, as eq7() has it.
+WIDE_LOOP void means(const float* frame0, const double* sums, double frames, size_t n, float* out) {
+    if (!frame0)
+        for (size_t i = 0; i < n; ++i) out[i] = float(sums[i] / frames);
+    else
+        for (size_t i = 0; i < n; ++i) out[i] = float(double(frame0[i]) + sums[i] / frames);
 }
 
 }  // namespace
@@ -154,7 +163,14 @@ void Accumulator::result(image::Picture& out, bool with_parts) const {
     out.moments = with_parts ? moments_ : image::Moments();
     out.sum = with_parts ? sum_.layers() : std::vector<image::SumLayer>();
     base::in_shares(sum_.size(), numbers_a_share, base::processors(), [&](size_t from, size_t end) {
-        for (size_t i = from; i < end; ++i) out.rgb[i] = float(eq7(frame0_, sum_, frames(), i));
+        constexpr size_t block = 256;
+        double sums[block];
+        for (size_t i = from; i < end; i += block) {
+            const size_t n = std::min(block, end - i);
+            sum_.values(i, n, sums);
+            means(frame0_.empty() ? nullptr : &frame0_[i], sums, double(std::max<int64_t>(frames(), 1)), n,
+                  &out.rgb[i]);
+        }
     });
 }
 

@@ -52,6 +52,16 @@ std::vector<image::SumLayer> without_empty(std::vector<image::SumLayer> all) {
 void ExactSum::clear(size_t count) {
     *this = {};
     count_ = count;
+    pairs_.emplace(count);
+}
+
+void ExactSum::use_digits() {
+    if (!pairs_) return;
+    std::vector<double> nearest(count_), rest(count_);
+    pairs_->values(0, count_, nearest.data(), rest.data());
+    pairs_.reset();
+    add(nearest);
+    add(rest);
 }
 
 // Carries before a lane could overflow.
@@ -74,6 +84,9 @@ void ExactSum::reach(int first, int last) {
 }
 
 bool ExactSum::add(const std::vector<float>& values, unsigned threads) {
+    bool all_finite = true;
+    if (pairs_ && pairs_->add(values, threads, all_finite)) return all_finite;
+    use_digits();
     about_to_add();
     std::atomic<uint32_t> touched{0};  // a bit for each digit
     std::atomic<bool> finite{true};
@@ -99,6 +112,7 @@ bool ExactSum::add(const std::vector<float>& values, unsigned threads) {
 }
 
 void ExactSum::add(const std::vector<double>& values) {
+    use_digits();
     about_to_add();
     for (size_t i = 0; i < count_; ++i) {
         if (!(std::fabs(values[i]) < 0x1p164) || values[i] == 0) continue;
@@ -120,6 +134,7 @@ void ExactSum::add(const std::vector<double>& values) {
 }
 
 void ExactSum::add(const std::vector<image::SumLayer>& layers, const std::string& place) {
+    use_digits();
     about_to_add();
     for (size_t n = 0; n < layers.size(); ++n) {
         const image::SumLayer& layer = layers[n];
@@ -137,7 +152,7 @@ void ExactSum::add(const std::vector<image::SumLayer>& layers, const std::string
 // The digits are carried to words of 32 bits, the last with the sign; a negative number is negated; then the
 // highest word that is not 0 and the two below it make the double.  Three digits or fewer are mostly one number of 128
 // bits, with the same result.
-double ExactSum::value(size_t i) const {
+double ExactSum::value_of_digits(size_t i) const {
     if (end_ - lowest_ <= 3) {
         __extension__ __int128 sum = 0;
         for (int k = end_ - 1; k >= lowest_; --k) sum = sum * (int64_t(1) << 32) + lane_[k][i];
@@ -170,7 +185,39 @@ double ExactSum::value(size_t i) const {
     return carried < 0 ? -magnitude : magnitude;
 }
 
+void ExactSum::values(size_t i, size_t count, double* out) const {
+    if (!pairs_) {
+        for (size_t k = 0; k < count; ++k) out[k] = value_of_digits(i + k);
+        return;
+    }
+    constexpr size_t block = 256;
+    double rest[block];
+    for (size_t from = 0; from < count; from += block) {
+        const size_t n = std::min(block, count - from);
+        pairs_->values(i + from, n, out + from, rest);
+        for (size_t k = 0; k < n; ++k) {
+            if (rest[k] == 0) continue;
+            ExactSum one;
+            one.count_ = 1;
+            one.add(std::vector<double>{out[from + k]});
+            one.add(std::vector<double>{rest[k]});
+            out[from + k] = one.value_of_digits(0);
+        }
+    }
+}
+
+double ExactSum::value(size_t i) const {
+    double out;
+    values(i, 1, &out);
+    return out;
+}
+
 std::vector<image::SumLayer> ExactSum::layers() const {
+    if (pairs_) {
+        ExactSum digits = *this;
+        digits.use_digits();
+        return digits.layers();
+    }
     std::vector<image::SumLayer> layers;
     std::vector<int64_t> carried(count_);
     for (int k = lowest_; k < std::min(end_ + 1, digits) && lowest_ < end_; ++k) {  // the last word has the sign

@@ -90,19 +90,19 @@ TEST_CASE("any order and grouping gives the same digits") {
     }
 }
 
-// Sums in doubles first, 256 to a block, of near exponents for long and of distant ones hardly ever: the frames, in
+// Values that are alike, which pairs of doubles hold, and unlike ones, up to the whole range of floats: the frames, in
 // order on three threads and in reverse on one; and once each by itself, as digits.
 TEST_CASE("many frames of like and of unlike values") {
     std::mt19937 dice(3);
     constexpr size_t count = 1003;
-    for (int spread : {0, 20, 28, 36, 200}) {
+    for (int spread : {0, 20, 28, 36, 60, 70, 200}) {
         std::vector<std::vector<float>> frames(59, std::vector<float>(count));
         ExactSum forwards, backwards, digits;
         for (ExactSum* sum : {&forwards, &backwards, &digits}) sum->clear(count);
         for (auto& frame : frames) {
             for (float& v : frame) v = dice() % 3 ? std::ldexp(float(dice()) - 1e9f, -int(dice() % (spread + 1))) : 0;
-            frame[700] = -std::numeric_limits<float>::max();
-            frame[710] = std::numeric_limits<float>::denorm_min();
+            frame[700] = spread == 200 ? -std::numeric_limits<float>::max() : 1e9f;
+            frame[710] = spread == 200 ? std::numeric_limits<float>::denorm_min() : -1e-9f;
             for (size_t i : {size_t(5), size_t(300)}) frame[i] = i == 5 ? NAN : INFINITY;
             CHECK_FALSE(forwards.add(frame, 3));
             ExactSum alone;

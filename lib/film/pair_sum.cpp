@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// See pair_sum.h.
+#include "film/pair_sum.h"
+
+#include <algorithm>
+#include <cstring>
+#include <mutex>
+
+#include "base/threads.h"
+#include "base/wide.h"
+
+namespace film {
+namespace {
+
+constexpr size_t numbers_a_share = 1u << 16;
+constexpr uint32_t magnitude = 0x7fffffff, infinite = 0x7f800000;
+
+// As bits, which stand in the order of floats.
+WIDE_LOOP PairSum::Extent extent_of(const float* values, size_t n) {
+    uint32_t least = UINT32_MAX, most = 0, odd = 0;
+    for (size_t i = 0; i < n; ++i) {
+        uint32_t bits;
+        std::memcpy(&bits, values + i, 4);
+        bits &= magnitude;
+        odd = std::max(odd, bits);
+        bits = bits < infinite ? bits : 0;
+        most = std::max(most, bits);
+        least = std::min(least, bits - 1);  // of 0 it is the largest number
+    }
+    return {least + (most > 0), most, odd < infinite};
+}
+
+WIDE_LOOP void add_to(const float* values, size_t n, double* high, double* low) {
+    for (size_t i = 0; i < n; ++i) {
+        const double v = values[i] - values[i] == 0 ? double(values[i]) : 0.;
+        const double h = high[i], sum = h + v, added = sum - h;
+        high[i] = sum;
+        low[i] += (h - (sum - added)) + (v - added);
+    }
+}
+
+WIDE_LOOP void round(const double* high, const double* low, size_t n, double* nearest, double* rest) {
+    for (size_t i = 0; i < n; ++i) {
+        const double h = high[i], l = low[i], sum = h + l, added = sum - h;
+        nearest[i] = sum;
+        rest[i] = (h - (sum - added)) + (l - added);
+    }
+}
+
+}  // namespace
+
+// All values are multiples of 2^lowest and below 2^highest.  Of n < 2^b values, the first double is below
+// 2^(highest + b), and the second one, of n errors of half a unit in its last place, below 2^(highest + 2 b - 53).
+bool PairSum::holds(const Extent& values, int64_t n) {
+    if (values.most == 0) return true;
+    int b = 0;
+    while (n >> b > 0) ++b;
+    const int highest = int(std::max(values.most >> 23, 1u)) - 126,
+              lowest = int(std::max(values.least >> 23, 1u)) - 150;
+    return highest + 2 * b - 53 - lowest <= 52;
+}
+
+bool PairSum::add(const std::vector<float>& values, unsigned threads, bool& finite) {
+    Extent all = extent_;
+    all.finite = true;
+    std::mutex lock;
+    base::in_shares(high_.size(), numbers_a_share, threads, [&](size_t from, size_t end) {
+        const Extent here = extent_of(&values[from], end - from);
+        const std::lock_guard<std::mutex> hold(lock);
+        all = {std::min(all.least, here.least), std::max(all.most, here.most), all.finite && here.finite};
+    });
+    if (!holds(all, added_ + 1)) return false;
+    extent_ = all;
+    finite = all.finite;
+    ++added_;
+    base::in_shares(high_.size(), numbers_a_share, threads,
+                    [&](size_t from, size_t end) { add_to(&values[from], end - from, &high_[from], &low_[from]); });
+    return true;
+}
+
+void PairSum::values(size_t i, size_t count, double* nearest, double* rest) const {
+    round(&high_[i], &low_[i], count, nearest, rest);
+}
+
+}  // namespace film
