@@ -3,6 +3,7 @@
 #include "base/edit_distance.h"
 
 #include <algorithm>
+#include <cctype>
 #include <vector>
 
 namespace base {
@@ -21,6 +22,23 @@ int edit_distance(const std::string& a, const std::string& b) {
         above.swap(row);
     }
     return above[b.size()];
+}
+
+std::string meant_by(const std::string& word, const std::vector<std::string>& list) {
+    const auto small = [](std::string text) {
+        for (char& c : text) c = char(std::tolower(static_cast<unsigned char>(c)));
+        return text;
+    };
+    std::string meant;
+    int best = largest_slip(word.size()) + 1;
+    for (const std::string& other : list)
+        if (const int d = edit_distance(small(word), small(other)); d < best) best = d, meant = other;
+    return meant;
+}
+
+std::string question(const std::string& word, const std::vector<std::string>& list) {
+    const std::string meant = meant_by(word, list);
+    return meant.empty() ? "" : "; did you mean " + meant + "?";
 }
 
 }  // namespace base

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include "base/error.h"
+#include "glare/refuse_column.h"
 
 namespace glare {
 namespace {
@@ -19,7 +20,8 @@ using require::sources, require::rammg, require::medians, require::mask, require
 enum Filled { filled_too };
 
 // A formula of G has a meaning for filled pixels as well: with filled_too there are columns NAMEf; NAME.px, the
-// difference from NAMEu; and NAMEf.px.  Others, of M, read what only whole pixels have, and do not compile with it.
+// difference from NAMEu; and NAMEf.px; nan where a picture has no moments.  Others, of M, read what only whole pixels
+// have, and do not compile with it.
 struct Entry {
     const char* name;
     Requirements required;
@@ -170,6 +172,8 @@ private:
                        shows_reach = e.has_filled && has_interval(e.noise) && name == std::string(e.name) + "f.px";
             if (name != e.name && !shows_unbiased && !shows_filled && !shows_pixels && !shows_reach) continue;
             if (e.required & mask && !settings_.mask_file) base::fail("-metrics", name + " needs a mask (-A file)");
+            if ((shows_filled || shows_pixels || shows_reach) && (settings_.field_cut || settings_.fill))
+                base::fail("-metrics", name + " needs the whole picture as it is and cannot be used with -G or -I");
             requirements_ |= e.required & ~(mask | uncompared);
             if (e.required & sources) requirements_ |= all_light;
             if (settings_.external_ev) requirements_ &= ~all_light;
@@ -184,7 +188,7 @@ private:
                 column.printed_unbiased = has_bias(e.noise);
                 column.of_filled = true;
                 column.value = [value = e.of_glare, shows_pixels](M m) {
-                    return value(m.filled ? *m.filled : m) - (shows_pixels ? value(m) : 0);
+                    return m.filled ? value(*m.filled) - (shows_pixels ? value(m) : 0) : std::nan("");
                 };
             }
             if (shows_reach) {
@@ -250,9 +254,12 @@ private:
         return found;
     }
     [[noreturn]] void refuse(const std::string& name) {
-        std::string regions;
-        for (const std::string& r : choice_.regions) regions += (regions.empty() ? "; regions: " : " ") + r;
-        base::fail("-metrics", "there is no metric \"" + name + "\"; there are " + column_names() + regions);
+        std::vector<std::string> of_regions, names;
+        for (const PartEntry& part : parts) of_regions.push_back(part.name);
+        for (const Entry& e : entries)
+            for (const char* const end : {"", has_bias(e.noise) ? "u" : "", e.has_filled ? "f" : ""})
+                names.push_back(e.name + std::string(end));
+        refuse_column(name, choice_.regions, of_regions, names);
     }
     size_t region_index(const std::string& name) const {
         return size_t(std::find(choice_.regions.begin(), choice_.regions.end(), name) - choice_.regions.begin());
@@ -269,12 +276,6 @@ private:
 std::vector<Column> choose_columns(const ColumnChoice& choice, const Settings& settings, Requirements& requirements) {
     return ColumnSelector(choice, settings, requirements).all();
 }
-
-bool has_interval(Noise noise) {
-    return noise != no_interval && noise != Noise::bias_alone && noise != Noise::contrast;
-}
-
-bool has_bias(Noise noise) { return noise != no_interval && noise != linear && noise != Noise::region; }
 
 std::string pixels_column(const std::string& metric) {
     for (const Entry& e : entries)

@@ -20,8 +20,8 @@ enum class Noise {
     region_ratio,  // ratio of two
 };
 
-bool has_interval(Noise noise);
-bool has_bias(Noise noise);
+inline bool has_interval(Noise n) { return n != Noise::no_interval && n != Noise::bias_alone && n != Noise::contrast; }
+inline bool has_bias(Noise n) { return n != Noise::no_interval && n != Noise::linear && n != Noise::region; }
 
 struct Column {
     std::string name;

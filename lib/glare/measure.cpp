@@ -132,6 +132,7 @@ Glare measure_filled(const Reading& r, const Luminance& lum, const Measurement& 
 }
 
 double off_by_reach(const Measurement& m, double (*value)(const Glare&)) {
+    if (!m.filled) return std::nan("");
     double most = 0;
     for (const Glare& other : m.of_other_reach)
         if (const double off = value(other) - value(*m.filled); std::fabs(off) > std::fabs(most)) most = off;

@@ -40,10 +40,16 @@ struct Measurement : Glare, SetStatistics {
     std::vector<GlareSource> sources_before_zones;
 };
 
+// No light reaches the eye, and glare means nothing; and the likely reasons.
+inline bool is_black(const Photometry& m) { return !(m.max_lum > 0); }
+constexpr const char* why_black =
+    "it is night, the eye is in a solid or below the ground, or the scene has no sky and no lamp";
+
 Measurement measure(const Reading& reading);
 // Filled pixels of that picture by other moments; m: its measurement, which has filled ones.
 Glare measure_filled(const Reading& reading, const Luminance& lum, const Measurement& m);
-// Most that a formula of filled pixels is off with another reach, 0 where that joins and parts no sources.
+// Most that a formula of filled pixels is off with another reach, 0 where that joins and parts no sources; nan: there
+// are none.
 double off_by_reach(const Measurement& m, double (*value)(const Glare&));
 // Another image of the same view, on any thread.  classification_image: decides which pixels are bright.
 Measurement measure(const Reading& reading, const Luminance& lum, const Luminance& classification_image);

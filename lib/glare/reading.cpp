@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // See reading.h.
 #include "glare/reading.h"
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include "base/error.h"
 #include "base/split.h"
 #include "glare/position_index.h"
@@ -92,14 +94,39 @@ ViewTables tables_of(const SharedPlan& plan, const view::View& view, const image
     return out;
 }
 
+// The sun of a picture of ours stands anywhere in its pixel, which the moments say.  Without them it counts at the
+// centre; L w sin(theta) times half a pixel is the most that its light at the eye changes.
+void warn_of_lost_place(const std::string& place, Reading& r) {
+    constexpr double least_share = .01;
+    const Geometry& g = r.geometry();
+    size_t brightest = 0;
+    double lux = 0;
+    for (size_t i = 0; i < g.omega.size(); ++i) {
+        if (!g.valid(i)) continue;
+        lux += r.lum.at(i) * g.omega_cos[i];
+        if (!g.valid(brightest) || r.lum.at(i) > r.lum.at(brightest)) brightest = i;
+    }
+    const double omega = g.omega[brightest], cosine = std::min(1., g.omega_cos[brightest] / omega),
+                 half_pixel = std::sqrt(omega) / 2,
+                 off = r.lum.at(brightest) * omega * std::sqrt(1 - cosine * cosine) * half_pixel;
+    if (!(off > least_share * lux) || std::exchange(r.told_place, true)) return;
+    base::warn(
+        place,
+        fmt::format("its brightest pixel stands {:.0f} degrees off the line of sight, and where the light lies in "
+                    "it went with the moments: Ev is up to {:.0f} % off (streams of ptrace and OpenEXR files "
+                    "keep them)",
+                    std::acos(cosine) * evalglare_deg, 100 * off / lux));
+}
+
 void warn_of(const image::Header& header, const std::string& place, Reading& r) {
     if (r.lum.not_finite)
         base::warn(place, "pixels that are not finite count as black (-metrics not_finite counts them)");
     if ((r.plan().requirements & require::filled) && !r.lum.moments && !std::exchange(r.told_no_moments, true))
         base::warn(
             place,
-            "has no moments of its pixels (a stream of ptrace and its OpenEXR files have): the effect of their size "
-            "on glare is unknown");
+            "has no moments of its pixels (a stream of ptrace and its OpenEXR files have): DGPf and its like, and the "
+            "effect of the pixels' size on DGP, are unknown");
+    if ((r.plan().requirements & require::all_light) && !r.lum.moments && header.frames) warn_of_lost_place(place, r);
     if (is_of_irradiance(header) && !std::exchange(r.told_irradiance, true))
         base::warn(
             place,
@@ -142,7 +169,8 @@ Reading read(const SharedPlan& plan, image::Picture& picture, const std::string&
     }
     warn_of(picture.header, place, out);
     out.black_corners.reset();
-    if (view.type == 'v') {
+    const bool is_ours = picture.header.frame || picture.header.frames;  // and so its view is true
+    if (view.type == 'v' && (other_view || !is_ours)) {
         out.black_corners = black_corner_percent(out.lum);
         if (*out.black_corners > 70 && !plan->settings.force) throw BlackCorners(place, *out.black_corners);
     }

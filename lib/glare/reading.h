@@ -28,9 +28,10 @@ struct Reading {
     Luminance lum;  // in the picture's memory
     // Sources at the centroids that the moments of its pixels state.
     std::vector<DrawnPixel> drawn_pixels;
-    std::shared_ptr<const Geometry> placed_geometry;        // null: no pixel is drawn in
-    std::optional<double> black_corners;                    // percent, type v
-    bool told_no_moments = false, told_irradiance = false;  // of this picture or one before it
+    std::shared_ptr<const Geometry> placed_geometry;  // null: no pixel is drawn in
+    std::optional<double> black_corners;              // percent, type v
+    // Of this picture or one before it.
+    bool told_no_moments = false, told_irradiance = false, told_place = false;
 
     const Geometry& geometry() const { return *tables->geometry; }
     const Plan& plan() const { return *tables->plan; }

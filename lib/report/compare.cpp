@@ -79,12 +79,8 @@ Tolerance tolerance_for(const std::string& metric, const std::vector<Tolerance>&
 void require_known(const std::vector<Tolerance>& rules, const std::vector<std::string>& names) {
     for (const Tolerance& rule : rules) {
         if (rule.metric == "all" || std::find(names.begin(), names.end(), rule.metric) != names.end()) continue;
-        std::string meant;
-        int best = base::largest_slip(rule.metric.size()) + 1;
-        for (const std::string& name : names)
-            if (const int d = base::edit_distance(rule.metric, name); d < best) best = d, meant = name;
-        base::fail("-tolerance", "there is no metric \"" + rule.metric + "\" here" +
-                                     (meant.empty() ? "" : "; did you mean " + meant + "?"));
+        base::fail("-tolerance",
+                   "there is no metric \"" + rule.metric + "\" here" + base::question(rule.metric, names));
     }
 }
 

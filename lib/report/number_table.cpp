@@ -52,7 +52,7 @@ bool is_note(const std::string& name) { return name == errors_column; }
 
 bool is_metric(const std::string& name) {
     return !is_label(name) && !is_note(name) && name != "seconds" && name != "settled" && name != "class" &&
-           name != "tails";
+           name != "classf" && name != "tails";
 }
 
 double number(const std::string& text, const std::string& place) {
@@ -102,6 +102,7 @@ private:
             line += char(c);
             if (line.size() > longest_line) base::fail(table_.name, "holds a line of more than a million characters");
         }
+        if (!line.empty() && line.back() == '\r') line.pop_back();  // lines of Windows end in CR LF
         return !line.empty() || in_.good();
     }
     void take(const std::string& line) {
@@ -110,8 +111,7 @@ private:
         if (line.compare(0, 4, "dgp,") == 0 && colon != std::string::npos) return evalglare(line, colon);
         if (line == header_line_) return;  // tables joined by cat
         if (separator_) return plain(line);
-        if (line.find('\t') != std::string::npos || line.compare(0, 5, "file,") == 0 ||
-            line.compare(0, 6, "frame,") == 0) {
+        if (line.find('\t') != std::string::npos || is_label(line.substr(0, line.find(',')))) {
             separator_ = line.find('\t') != std::string::npos ? '\t' : ',';
             header_line_ = line;
             header_ = split_cells(line, separator_);

@@ -85,6 +85,7 @@ std::string interval_text(const Page::Number& n) {
 }
 
 std::string verdict(const Page& page) {
+    if (page.is_black) return fmt::format("<p class=\"verdict\">The picture is black: {}.</p>\n", glare::why_black);
     const Page::Number* dgp = nullptr;
     for (const char* const name : {"DGPf", "DGPu", "DGP"})
         for (const Page::Number& n : page.numbers)
@@ -231,7 +232,9 @@ std::string page_text(const Page& page) {
         "<title>Glare: {0}</title>\n<style>{1}</style>\n</head>\n<body>\n<section>\n"
         "<h1>Glare report</h1>\n<p class=\"title\">{0}{2}</p>\n",
         escaped(page.title), page_style, date_of(page));
-    out += verdict(page) + "<div class=\"drawings\">\n";
+    out += verdict(page);
+    for (const std::string& note : page.notes) out += "<p class=\"note\">" + escaped(note) + "</p>\n";
+    out += "<div class=\"drawings\">\n";
     for (const Page::Drawing& d : page.drawings) out += drawing(page, d);
     out +=
         "</div>\n" + legend(page.legend) + numbers(page, "Numbers", page.numbers, words_of) + "</section>\n<section>\n";

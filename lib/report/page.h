@@ -43,7 +43,9 @@ struct Page {
 
     std::string title;
     std::vector<Number> numbers;
-    double certainty = .95;  // of the intervals
+    std::vector<std::string> notes;  // sentences below the verdict
+    bool is_black = false;           // no light reaches the eye, so that glare has no class
+    double certainty = .95;          // of the intervals
     std::vector<Drawing> drawings;
     std::vector<Outline> outlines;  // over each of them
     Legend legend;

@@ -87,10 +87,7 @@ Sum without_look(Sum sum) {
 }
 
 Sum end_input(Sum sum, const std::string& place, bool tells) {
-    if (tells && sum.step && sum.parts().size() == 1)
-        tell(sum, place,
-             "a picture by itself holds no batches of frames; the stream of sums does (ptaccum without -last), and a "
-             "file of ptaccum -batches 16 -o file.exr");
+    if (tells && sum.step && sum.parts().size() == 1) tell(sum, place, no_batches);
     return another(sum);
 }
 

@@ -9,6 +9,10 @@
 
 namespace report {
 
+constexpr const char* no_batches =
+    "a picture by itself holds no batches of frames; the stream of sums does (ptaccum without -last), and a file of "
+    "ptaccum -batches 16 -o file.exr";
+
 struct Sum {
     image::GrowingParts growing;
     std::vector<image::Part> taken;  // of a picture that came with its parts; else empty

@@ -20,7 +20,7 @@ check('more glare is worse', 'worse' in rows[1], rows[1])
 check('an interval that holds 0 tells nothing apart', 'not told apart yet' in rows[2], rows[2])
 words = page.chrome.execute_async_script('''
     const done = arguments[arguments.length - 1];
-    Promise.all([import('/edits.js'), import('/verdict.js')]).then(([{ judged }, { state_of, verdict }]) => {
+    Promise.all([import('/edits.js'), import('/verdict.js')]).then(([{ judged }, { glare_of, state_of, verdict }]) => {
         const row = (value, d, low, high) => ({ DGPf: value, 'DGPf.d': d, 'DGPf.d.lo': low, 'DGPf.d.hi': high });
         const far = row(.3, -.03, -.04, -.02), near = row(.3, -.008, -.009, -.007);
         const other = row(.348, -.004, -.005, -.003);
@@ -28,13 +28,17 @@ words = page.chrome.execute_async_script('''
             [far, 'overlay', .05]].map((question) => judged('DGPf', ...question).text).concat([
             state_of({ lost: true }), state_of({ ended: 3, since: 1 }), state_of({ paused: true, since: 1 }),
             state_of({ since: 40 }), state_of({ since: 1, settled: 38 }),
-            verdict('DGPf', { DGPf: .36, 'DGPf.lo': .345, 'DGPf.hi': .37 }).text]));
+            verdict('DGPf', { DGPf: .36, 'DGPf.lo': .345, 'DGPf.hi': .37 }).text,
+            verdict('DGPf', { frame: 4, Ev: 0, DGPf: .2 }).text + verdict('DGPf', { frame: 0, Ev: 0, DGPf: .2 }).number,
+            verdict('DGPf', { frame: 4, Ev: 0, DGPf: .2 }).number, glare_of(['DGPf', 'DGP'], { DGP: .3 })]));
     });''')
 check('better is a word for another class or for more than the threshold, never for a view',
       words[:5] == ['better', 'lower', 'lower', 'better', 'lower'], words)
 check('what the programs do is said in words', all(w in said for w, said in zip(
     ('lost', 'status 3', 'paused', 'no picture for 40 s', 'settled after 38 frames'), words[5:10])), words)
 check('two classes where the interval holds both', words[10] == '◔ imperceptible to perceptible', words)
+check('a black picture has no class, and the likely reasons', words[11] == '' and 'it is night' in words[12], words)
+check('pictures without moments have DGP', words[13] == 'DGP', words)
 check('illuminance is higher or lower', 'lower' in rows[1] and 'higher' in rows[0], rows)
 check('earlier edits are ghosts in the plots', len(page.find('#plots figure:first-child path.ghost')) == 3)
 check('the stop is marked', len(page.find('#plots figure:first-child line.stop')) == 1)

@@ -75,11 +75,36 @@ check 'in a flat mirror it is within .002 of its closed form with any seed' '
             within $got $want .002
         done
     done'
-check 'without moments the columns are those of whole pixels, and a warning says so' '
+check 'without moments there are none of these columns, and a warning says so' '
     ptrace -w- -ab 0 $view -x 64 -y 64 -frames 1 -moments- sun.rad | ptaccum -last -ff > plain.hdr
-    vcmetrics -metrics DGP,DGPf plain.hdr 2> said | tail -n 1 | awk "{ exit \$2 != \$3 }"
-    grep -q "^vcmetrics: warning: .*no moments of its pixels" said'
+    vcmetrics -metrics DGPf,UGRf,classf,DGP.px,DGPf.px plain.hdr 2> said | tail -n 1 |
+        grep -qxP "plain.hdr\tnan\tnan\tnan\tnan\tnan"
+    grep -q "^vcmetrics: warning: .*no moments of its pixels" said
+    vcmetrics -W- -metrics DGP,classf -format jsonl plain.hdr | grep -q "\"classf\": null}"'
+check_exit 'a rule on them ends at once, as no number of frames meets it' 4 '
+    ptrace -w- -ab 0 $view -x 64 -y 64 -moments- sun.rad | ptaccum |
+        vcmetrics -metrics DGPf -until "DGPf 0.01" > lines 2> said'
+check 'which it says' 'grep -q "stopped after 0 frames: there is no DGPf without moments" said'
+check_error 'nor are there any where the picture is changed first' 1 '^vcmetrics: -metrics: DGPf needs the whole' '
+    vcmetrics -G 1 -metrics DGPf plain.hdr'
 check_exit 'a rule that no number of frames can meet ends the run with status 4' 4 '
     ptrace -w- -ab 0 $view -x 64 -y 64 sun.rad bar.rad | ptaccum | vcmetrics -until "DGP 0.01" > lines 2> said'
 check 'it says what the size does, and what would do' '
     grep -q "pixels DGP reads 0[.]0[0-9]* low, more than the 0.01 of the rule; about [0-9]* x .* DGPf does not" said'
+# The sun at any angle: what the moments have told of its place in the pixel is lost with them.
+rim() {  # SIZE ANGLE FORMAT...
+    sun "$2" 3 | sed 's/5586[.]59/5586590/g' > sun.rad
+    ptrace -w- -ab 0 $view -x "$1" -y "$1" -frames 1 sun.rad | ptaccum -last "${@:3}"
+}
+check 'a sun at the rim whose place went with the moments is told, with the most that Ev is off' '
+    for angle in 70 75 80 84 88; do
+        rim 64 $angle -o a.exr; rim 64 $angle -o a.hdr
+        true=$(vcmetrics -W- -metrics Ev a.exr | tail -n 1 | cut -f 2)
+        told=$(vcmetrics -metrics Ev a.hdr 2>&1 > t | sed -n "s/.*Ev is up to \([0-9]*\) % off.*/\1/p")
+        awk -v a="$(tail -n 1 t | cut -f 2)" -v b="$true" -v told="${told:-1}" -v s="$angle" "BEGIN {
+            off = 100 * (a - b) / b; print s, off, told; exit !(off * off <= (1.2 * told + 1) ^ 2) }" || exit 1
+        [ "$told" ] || [ $angle -lt 80 ] || exit 1
+    done'
+check 'in front, in a fine picture, with moments and in another program'"'"'s picture nothing is said' '
+    rim 64 5 > a.hdr; rim 512 60 > b.hdr; rim 64 88 -o c.exr; rim 64 88 > d.hdr; sed '/^FRAMES=/d' d.hdr > foreign.hdr
+    for f in a.hdr b.hdr c.exr foreign.hdr; do vcmetrics -metrics Ev $f 2>> said > t; done; ! grep "line of sight" said'

@@ -98,6 +98,15 @@ check '-each has a row a point' '
     sed -n 3p rows | grep -q "^desk	2	1	0.7	0	0	1	"'
 check_error 'of the files that ptrace had' 1 'desk.pts: these are not the points of the picture' '
     stream 3 | vcmetrics -each -points wall.a.pts -points desk.pts 2>&1 >/dev/null | sed s/wall.a/desk/ >&2; exit 1'
+check_error 'and no numbers of grids' 1 '^vcmetrics: -metrics: are of grids' '
+    stream 3 | vcmetrics -each -metrics desk.df'
+check 'a sum by itself has no intervals, and says so' '
+    ptrace -points desk.pts -frames 9 sky.rad room.rad | ptaccum -last -ff > one.hdr
+    for words in -each "-metrics mean -ci 90"; do
+        vcmetrics $words one.hdr 2>&1 > rows | grep -q "^vcmetrics: warning: no intervals: a picture by itself"
+        tail -n 1 rows | grep -qP "nan\tnan"
+    done
+    stream 9 | vcmetrics -each 2> said > rows; ! grep . said'
 check '-like rtrace has its lines' '
     stream 3 | vcmetrics -like rtrace > lines; test "$(wc -l < lines)" = 3; awk "NF != 3 {exit 1}" lines'
 check 'df is the share of a grid called outside' '

@@ -48,6 +48,17 @@ check 'nothing comes from outside, and it is small' '
 check 'the picture of a file has a report, without a scene, without objects' '
     vcmetrics -report file.html last.exr > lines; grep -q last.exr file.html; ! grep -q "<th>What" file.html
     cells lines Ev DGPf > want; data Numbers file.html | grep -xFf want | wc -l | grep -qx 2'
+check 'without moments of pixels it says DGP, and why' '
+    ptaccum -last -o last.hdr sums.str; vcmetrics -W- -report plain.html last.hdr > lines
+    grep -q "<p>DGP <data" plain.html; grep -q "no moments of its pixels" plain.html; ! grep -q "<p>DGPf" plain.html
+    [ "$(vcmetrics -W- -metrics DGP last.hdr | tail -n 1 | cut -f 2)" = "$(
+        grep -o "<p>DGP <data value=\"[0-9.]*" plain.html | cut -d \" -f 2)" ]
+    ! grep -q "no moments" file.html; vcmetrics -W- -G 1 -report cut.html last.exr > lines
+    grep -q "<p>DGP <data" cut.html'
+check 'of a picture without light it says so' '
+    ptrace -vf view.vf -x 32 -y 32 -frames 2 materials.rad room.rad | ptaccum -last -o black.exr
+    vcmetrics -W- -report black.html black.exr > lines
+    grep -q "The picture is black: it is night, the eye is in a solid" black.html; ! grep -q "Glare is" black.html'
 check 'a picture of many pixels stays small' '
     ptrace -vf view.vf -x 1100 -y 1100 -frames 0:0 materials.rad layout.rad sky_1400.rad | ptaccum -last > large.hdr
     vcmetrics -W- -report large.html large.hdr > /dev/null; test $(wc -c < large.html) -lt 2000000'

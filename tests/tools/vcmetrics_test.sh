@@ -32,7 +32,21 @@ check '-like accelerad without regions: nan in their place' '
     vcmetrics -like accelerad office256.hdr | tail -n 1 | grep -q ",nan,nan,nan,nan$"'
 check 'columns as asked for, in that order' '
     [ "$(vcmetrics -metrics UGR,n_sources,Ev office256.hdr | head -n 1)" = "$(printf "file\tUGR\tn_sources\tEv")" ]'
-check_error 'an unknown metric is named' 1 '^vcmetrics: -metrics: .*"Dgp"' 'vcmetrics -metrics Dgp office256.hdr'
+check_error 'an unknown metric is named, and what is meant' 1 '^vcmetrics: -metrics: .*"Dgp"; did you mean DGP[?]$' '
+    vcmetrics -metrics Dgp office256.hdr'
+check_error 'or all that there are' 1 '^vcmetrics: -metrics: .*"nothing"; there are Ev DGP class' '
+    vcmetrics -metrics nothing office256.hdr'
+check 'names are separated by commas or blanks' '
+    for list in Ev,DGP "Ev, DGP" "Ev DGP"; do vcmetrics -metrics "$list" office256.hdr; done | sort -u > rows
+    [ "$(wc -l < rows)" = 2 ]'
+for name in desk.mean desk.share300; do
+    check_error "$name without regions says what it needs" 1 "^vcmetrics: -metrics: $name needs regions .-regions" "
+        vcmetrics -metrics $name office256.hdr"
+done
+check_error 'a region that is not there' 1 '^vcmetrics: -metrics: desk.mean: there is no region "desk"; there are' '
+    vcmetrics -metrics desk.mean -regions three.regions office256.hdr'
+check_error 'what a region does not have' 1 '^vcmetrics: -metrics: task.men: a region has TAL, mean, ' '
+    vcmetrics -metrics task.men -regions three.regions office256.hdr'
 check 'a line for each source; their shares add up' '
     vcmetrics -sources fire128.hdr |
         awk -F "\t" "NR > 1 { s += \$NF; n++ } END { exit !(n > 3 && s > 0.999 && s < 1.001) }"'
@@ -129,7 +143,10 @@ check 'an input that ends too early says so' '
     grep -q "^vcmetrics: the input ended after 40 frames: -until does not hold$" said'
 check 'jsonl of a name that is no UTF-8' '
     cp one.hdr "$(printf "a\377b.hdr")" && vcmetrics -format jsonl a?b.hdr | grep -q "^{\"file\": \"a?b.hdr\", "'
-check_error 'a rule needs its column' 1 '^vcmetrics: -until: .*"UGR"' 'vcmetrics -until "UGR 1%" office256.hdr'
+check_error 'a rule needs its column' 1 '^vcmetrics: -until: .*"UGR" in this .* has Ev, DGP; -metrics adds it$' '
+    vcmetrics -until "UGR 1%" office256.hdr'
+check_error 'whose name is known' 1 '^vcmetrics: -until: .*"DGPP".* has Ev, DGP; did you mean DGP[?]$' '
+    vcmetrics -until "DGPP .01" office256.hdr'
 check_error 'a single frame is refused with a word about ptaccum' 1 '^vcmetrics: stdin.*ptaccum' '
     $mkstream frames 3 3 32 32 | vcmetrics'
 check_error 'a view beside the picture' 1 '^vcmetrics: stdin: no pixel' \
@@ -145,6 +162,17 @@ check_error 'a parallel view' 1 '^vcmetrics: err_par.hdr: .*parallel' 'vcmetrics
 check_error 'a tabbed exposure' 1 '^vcmetrics: err_tabexp.hdr: .*tab' 'vcmetrics err_tabexp.hdr'
 check_error 'black corners of a perspective view' 1 '^vcmetrics: err_corners.hdr: .*black' 'vcmetrics err_corners.hdr'
 check 'which -f overrules' 'vcmetrics -f err_corners.hdr'
+check 'frames of ours say their view: the corners of a room are black in frame 0' '
+    v="VIEW= -vtv -vh 60 -vv 60"
+    $mkstream frames 0 2 16 16 1 "$v" 2> err | python3 -c "
+import sys
+stream, pixels = sys.stdin.buffer.read(), 16 * 16 * 3 * 4
+for frame in stream.split(b\"#?RADIANCE\\n\")[1:]:  # black in frame 0
+    head = frame[:frame.index(b\"\\n\\n\")]
+    black = b\"\\nFRAME=0\\n\" in head + b\"\\n\" and len(frame) > pixels
+    sys.stdout.buffer.write(b\"#?RADIANCE\\n\" + (frame[:-pixels] + bytes(pixels) if black else frame))" > dark.lux
+    ptaccum < dark.lux | vcmetrics -metrics Ev > rows; [ "$(wc -l < rows)" = 4 ]
+    [ "$(sed -n 2p rows | cut -f 3)" = 0 ]'
 check 'patches of it: evalglare says nothing of corners' '
     ! vcmetrics -like evalglare -z 20 1 err_corners.hdr > out 2> said; test ! -s out; grep -q "need an angular" said'
 even() {  # 15 x 15 pixels of one luminance, seen in this direction
@@ -153,6 +181,12 @@ even() {  # 15 x 15 pixels of one luminance, seen in this direction
 }
 check 'the line of sight has a position index of 16 where rounding carries its cosine above 1, as in evalglare' '
     even ".1479 -.9738 -.5665" > even.hdr; vcmetrics -like evalglare -d even.hdr | grep -q " 105.663576 "'
+black() { printf '#?RADIANCE\n%sFORMAT=32-bit_rle_rgbe\n\n-Y 9 +X 9\n' "$1"; head -c 324 /dev/zero; }
+check 'a picture without light is told as such, once a cause, and no other' '
+    black "VIEW= -vta -vh 180 -vv 180
+" > black.hdr; cp black.hdr again.hdr; vcmetrics black.hdr office256.hdr again.hdr 2> said > rows
+    [ "$(grep -c "the picture is black: it is night, the eye is in a solid" said)" = 2 ]
+    grep -q "^vcmetrics: warning: black.hdr: " said; grep -q "(2 times)$" said; ! grep -q office said'
 check_error 'a picture cut short' 1 '^vcmetrics: err_short.hdr: ' 'vcmetrics err_short.hdr > /dev/null'
 check_error 'a file that is not there' 2 '^vcmetrics: nothere.hdr: ' 'vcmetrics nothere.hdr'
 check_error 'a full disc' 2 '^vcmetrics: ' 'vcmetrics office256.hdr > /dev/full'

@@ -39,6 +39,12 @@ check 'an hour rendered again replaces what was said of it' '
     [ "$(vcyear -format tsv all.tsv more.tsv | cut -f 2 | tail -n 1)" = 12 ]
     vcyear -worst 12 all.tsv > before; vcyear -worst 12 all.tsv more.tsv > after
     [ "$(diff before after | grep -c "^> .*0221_1230")" = 1 ]'
+check 'a table in any format, with lines of any system, is the same year' '
+    head -n 1 all.tsv | tr "\t" "," > all.csv
+    tail -n +2 all.tsv | tr "\t" "," >> all.csv; vcyear all.tsv > want
+    for f in all.tsv all.csv; do
+        vcyear $f | cmp - want; sed "s/$/\r/" $f > crlf; vcyear crlf | cmp - want
+    done'
 check 'its hours are read by ptrace again' '
     vcyear -next all.tsv > more; head -n 1 more | grep -qx "hour	frames	larger	limit	view"
     { cat more; printf "0321_0930\t40\t2\t0.40\t-\n"; } > named

@@ -246,4 +246,7 @@ TEST_CASE("a slip of the finger is near") {
     CHECK(base::edit_distance("-vx", "-vp") == 1);
     CHECK(base::edit_distance("srceen", "screen") == 1);
     CHECK(base::largest_slip(3) == 1);
+    CHECK(base::meant_by("dgp", {"Ev", "DGP"}) == "DGP");
+    CHECK(base::question("UGrf", {"UGRf", "DGPf"}) == "; did you mean UGRf?");
+    CHECK(base::question("other", {"UGRf", "DGPf"}).empty());
 }

@@ -73,6 +73,15 @@ TEST_CASE("the class is in words, and in two where the interval holds a limit") 
     CHECK(verdict_of(none, none, none) == "");
 }
 
+TEST_CASE("a black picture has no class; what limits the numbers stands below the verdict") {
+    Page page = sample();
+    page.notes = {"DGP depends on the size of <pixels>."};
+    CHECK(holds(report::page_text(page), "DGP depends on the size of &lt;pixels&gt;."));
+    page.is_black = true;
+    CHECK(holds(report::page_text(page), "The picture is black: it is night, "));
+    CHECK(!holds(report::page_text(page), "Glare is "));
+}
+
 TEST_CASE("names from files are text: no markup, no control characters, no broken UTF-8") {
     const std::string hostile = "</style><script>alert(1)</script>\"'&\x1b[31m\xff <img src=http://evil/x>";
     Page page = sample();

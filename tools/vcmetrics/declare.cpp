@@ -20,7 +20,6 @@ void define_dgp(Arguments& a, glare::Settings& s) {
     }
 }
 
-// 'Ev, DGP' is Ev,DGP, as it is in a rule.
 std::string without_blanks(std::string list) {
     list.erase(std::remove(list.begin(), list.end(), ' '), list.end());
     return list;
@@ -29,8 +28,11 @@ std::string without_blanks(std::string list) {
 void declare_output(OptionTable& t, Options& o) {
     using Format = report::TableFormat;
     t.group("What is printed");
-    t.add("-metrics list", "The columns, comma separated: " + glare::column_names(),
-          [&](Arguments& a) { o.metrics = base::split_list(without_blanks(a.text()), ','); });
+    t.add("-metrics list", "The columns, comma separated: " + glare::column_names(), [&](Arguments& a) {
+        std::string list = a.text();  // 'Ev, DGP' and 'Ev DGP' are Ev,DGP
+        std::replace(list.begin(), list.end(), ' ', ',');
+        o.metrics = base::split_list(list, ',');
+    });
     t.add("-each", "A row for each point of a picture of points, in place of numbers of its grids", o.each);
     t.add("-last", "Only the row of the last sum of each picture", o.last);
     t.add("-points file", "The points of -each and -over: the files that ptrace had, in their order", o.points_files);

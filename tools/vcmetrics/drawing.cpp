@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "display/draw.h"
 #include "display/file.h"
@@ -83,7 +84,7 @@ void draw_measured(const Options& o, const image::Picture& picture, const RunSta
     for (const Name& n : names) write_above(image, n.place, n.text, n.colour);
     std::vector<display::Label> below;
     for (const glare::Column& c : run.plan.columns)
-        if (c.printed && !c.words && !c.printed_unbiased)
+        if (c.printed && !c.words && !c.printed_unbiased && !std::isnan(c.value(m)))
             below.push_back({fmt::format("{} {:.4g}", c.name, c.value(m))});
     display::write_png(o.over_file, display::with_labels(image, below), "");
 }

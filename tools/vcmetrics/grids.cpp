@@ -14,6 +14,7 @@
 #include "image/grey.h"
 #include "image/header.h"
 #include "report/errors.h"
+#include "report/sum.h"
 #include "run.h"
 
 namespace {
@@ -125,6 +126,7 @@ GridStep step(const Options& o, GridState s, image::Picture& p, int64_t frame, d
         base::fail("", "GRID= lines have more points than pixels");
     const bool plain = !o.each && !o.like_rtrace && !(o.last && is_followed(h, frame)),
                other_sky = h.sky_name != s.header.sky_name;
+    if (!s.columns.empty() && other_sky) tell_if_alone(o, s);
     const bool first = s.columns.empty() || !(h.grids == s.header.grids);  // points change in a live stream
     std::string text = !s.columns.empty() && other_sky ? rows_of_points(o, s) : "";
     const std::vector<std::string> names = s.names;
@@ -181,6 +183,11 @@ void draw_map(const Options& o, const GridState& s) {
                            p.x, p.y, p.z);
     };
     display::write_canvas(o.over_file, display::point_maps(names, points, {values, widths}, words), o.command);
+}
+
+void tell_if_alone(const Options& o, const GridState& s) {
+    if ((o.ci || o.each) && s.parts.parts().size() == 1)
+        base::warn(image::label(s.header), std::string("no intervals: ") + no_batches);
 }
 
 std::string rows_of_points(const Options& o, const GridState& s) {

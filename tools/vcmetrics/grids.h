@@ -36,5 +36,7 @@ GridStep step(const Options& options, GridState state, image::Picture& picture, 
 // Writes the file of -over: maps of the last picture's points and of the half-widths of their intervals.
 void draw_map(const Options& options, const GridState& state);
 
+// After the last sum of a picture: why it has no intervals, where they are asked for.
+void tell_if_alone(const Options& options, const GridState& state);
 // The rows of -each and -like rtrace, of the state's picture.
 std::string rows_of_points(const Options& options, const GridState& state);

@@ -78,8 +78,19 @@ bool measures(const Options& o, GridState& state, image::Picture& picture, const
     return follow(o, next.verdict);
 }
 
+// Said of the last sum of a picture: frame 0 alone may lack all of its light.
+void tell_if_black(const Row& last, const Row* next) {
+    const bool same = next && next->file == last.file && next->view == last.view && next->sky == last.sky &&
+                      next->edit == last.edit && next->frame > last.frame;
+    if (same || last.may_brighten || !is_black(last.measurement)) return;
+    std::string place = last.view + (last.view.empty() || last.sky.empty() ? "" : "_") + last.sky;
+    if (place.empty()) place = last.file == "-" ? "stdin" : last.file;
+    base::warn(place, std::string("the picture is black: ") + why_black);
+}
+
 int end_of(const Options& o, const GridState& s) {
     if (const std::string text = rows_of_points(o, s); !text.empty()) print(text);
+    tell_if_alone(o, s);
     return status(o, s.progress);
 }
 
@@ -103,6 +114,7 @@ int measure_all(const Options& o) {
     std::optional<Row> last;
     const bool shows = !o.over_file.empty() || !o.report_file.empty();
     const auto end = [&](int status) {
+        if (last) tell_if_black(*last, nullptr);
         if (last && !o.report_file.empty()) write_report(o, shown, run, *last);
         return status;
     };
@@ -135,6 +147,7 @@ int measure_all(const Options& o) {
                 heading = std::move(out.heading);
                 if (!out.names.empty()) print(out.names);
                 print(out.lines);
+                if (last) tell_if_black(*last, &*row);
                 if (shows) std::swap(shown, copy);
                 if (!o.over_file.empty()) draw_measured(o, shown, run, row->measurement);
                 last = std::move(row);

@@ -66,6 +66,8 @@ void check(const Options& o) {
         base::fail("-like", "prints its own columns and cannot be used with -metrics or -sources");
     if (o.mode != OutputMode::vcmetrics && !o.until.empty())
         base::fail("-until", "works on vcmetrics' own columns and cannot be used with -like");
+    if ((o.each || o.like_rtrace) && !o.metrics.empty())
+        base::fail("-metrics", "are of grids as a whole, and cannot be used with -each or -like rtrace, of each point");
     if (o.list_sources && !o.until.empty()) base::fail("-until", "works on metrics and cannot be used with -sources");
     check_intervals(o);
     if (o.last && (!o.until.empty() || o.max_frames || o.max_seconds || o.compare || o.difference))
@@ -113,9 +115,10 @@ void check(const Options& o) {
 
 // What a report shows where the command line does not say it.
 void complete_for_report(Options& o) {
-    if (!o.settings.field_cut && !o.settings.fill && !o.ci) o.ci = .95;
+    const bool is_changed = o.settings.field_cut || o.settings.fill;
+    if (!is_changed && !o.ci) o.ci = .95;
     if (o.metrics.empty()) {
-        o.metrics = {"Ev", "DGPf"};
+        o.metrics = {"Ev", is_changed ? "DGP" : "DGPf"};
         if (!o.regions_file.empty()) o.metrics.push_back("TAL");
         if (!o.contrast_pairs.empty()) o.metrics.push_back("CR");
     }

@@ -91,10 +91,20 @@ std::vector<Page::Number> numbers_of(const Options& o, const RunState& run, cons
     if (!o.numbers_file.empty()) return recorded(o.numbers_file);
     for (size_t k = 0; k < run.plan.columns.size(); ++k) {
         const Number& n = row.numbers[k];
-        if (run.plan.columns[k].printed && !run.plan.columns[k].words)
-            out.push_back({run.plan.columns[k].name, n.value, n.middle + n.off.low, n.middle + n.off.high});
+        const glare::Column& c = run.plan.columns[k];
+        const bool stands_in = c.name == "DGP" && !row.measurement.filled;
+        if ((c.printed || stands_in) && !c.words)
+            out.push_back({c.name, n.value, n.middle + n.off.low, n.middle + n.off.high});
     }
     return out;
+}
+
+// Why numbers of the page are not those that a reader expects.
+std::vector<std::string> notes_of(const Options& o, const RunState& run) {
+    if (!o.numbers_file.empty() || run.reading.lum.moments) return {};
+    return {
+        "The picture has no moments of its pixels (a stream of ptrace and its OpenEXR files have), and so there is no "
+        "DGPf. DGP depends on the size of the pixels: sources that are smaller than a pixel count too little."};
 }
 
 std::vector<visibility::WeightedRay> rays_to(const std::vector<float>& area, const glare::Geometry& g,
@@ -244,6 +254,8 @@ void write_report(const Options& o, const image::Picture& picture, const RunStat
     if (page.title.empty() && !o.scene.empty())
         page.title = std::filesystem::absolute(o.scene[0]).parent_path().filename().string();
     page.numbers = numbers_of(o, run, row);
+    page.notes = notes_of(o, run);
+    page.is_black = glare::is_black(row.measurement);
     page.certainty = o.ci.value_or(.95);
     page.view = g.projector.view();
     page.width = g.width, page.height = g.height;

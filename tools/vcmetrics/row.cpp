@@ -100,7 +100,7 @@ std::vector<Cell> column_cells(const Options& o, const std::vector<Column>& colu
         const Number& n = row.numbers[k];
         if (!c.printed) continue;
         if (has_interval(o, c)) add_with_interval(o, n, out);
-        else if (c.words) out.push_back({c.words[int(n.value)], is_aligned(o)});
+        else if (c.words && !std::isnan(n.value)) out.push_back({c.words[int(n.value)], is_aligned(o)});
         else out.push_back(number_cell(n.value, is_aligned(o) ? 5 : 8));
         if (has_difference(o, c)) add_with_interval(o, row.differences[k], out);
     }

@@ -36,6 +36,7 @@ Row row_of(const Options& o, const RunState& run, const image::Header& header, c
     Row out;
     out.file = place.file, out.view = header.view_name, out.sky = header.sky_name, out.edit = header.edit;
     out.frame = frame_number(header, place);
+    out.may_brighten = header.frames == 0 && header.last_frame != 0;
     out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - run.start).count();
     for (size_t k = 0; k < run.plan.columns.size(); ++k) {
         const Column& c = run.plan.columns[k];

@@ -48,6 +48,7 @@ struct Row {
     std::vector<Number> differences;  // likewise, with -against
     std::string heavy_tailed;         // names of columns
     bool settled = false;
+    bool may_brighten = false;  // the light of paths may come with later frames
     glare::Measurement measurement;
     Verdict verdict;
 };

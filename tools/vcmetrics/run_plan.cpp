@@ -90,6 +90,7 @@ void choose_columns(const Options& o, const std::vector<std::string>& regions, R
     choice.regions = regions;
     choice.regions_come = !o.regions_file.empty();
     if (!o.until.empty()) choice.hidden = pixel_columns(report::UntilRule(o.until));
+    if (!o.report_file.empty()) choice.hidden.push_back("DGP");  // of a picture without moments
     for (const ContrastPair& pair : plan.pairs)
         if (contains(regions, pair.low) && contains(regions, pair.high)) choice.pairs.push_back(pair);
     choice.pairs_come = !plan.pairs.empty();

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "base/edit_distance.h"
 #include "base/error.h"
 #include "base/run.h"
 #include "uncertainty/stopping.h"
@@ -20,19 +21,39 @@ std::optional<size_t> pixels_of(const std::vector<Column>& columns, const std::s
     return std::nullopt;
 }
 
-size_t column_of(const std::vector<Column>& columns, const std::string& name, const std::string& why = "") {
+bool is_metric(const Options& o, const std::string& name) {
+    ColumnChoice choice;
+    choice.names = {name};
+    Requirements ignored;
+    try {
+        return !choose_columns(choice, o.settings, ignored).empty();
+    } catch (const base::Error&) {
+        return false;
+    }
+}
+
+size_t column_of(const Options& o, const std::vector<Column>& columns, const std::string& name,
+                 const std::string& why = "") {
     for (size_t k = 0; k < columns.size(); ++k) {
         if (columns[k].name != name) continue;
         if (!columns[k].has_interval())
             base::fail("-until", name + " has no interval, as none has been shown to hold the truth (vcmetrics(1))");
         return k;
     }
-    base::fail("-until", why + "there is no column \"" + name + "\" in this run");
+    std::vector<std::string> names;
+    std::string list;
+    for (const Column& c : columns)
+        if (c.printed && c.has_interval()) names.push_back(c.name), list += (list.empty() ? " " : ", ") + c.name;
+    base::fail("-until", why + "there is no column \"" + name + "\" in this run" +
+                             (list.empty() ? "" : ", which has" + list) +
+                             (is_metric(o, name) ? "; -metrics adds it" : base::question(name, names)));
 }
 
 }  // namespace
 
 Asked ask(const StopRule& rule, const MeasuredSum& sum) {
+    if (!sum.moments && !rule.of_filled.empty())
+        return {false, "", "there is no " + rule.of_filled + " without moments of pixels, which the pictures lack"};
     if (!rule.rule || !sum.looked || sum.frames < uncertainty::least_frames) return {};
     const auto estimate = [&](size_t k) { return sum.looked->estimate(k); };
     const auto of_pixels = [&](std::optional<size_t> k) {
@@ -54,13 +75,16 @@ StopRule stop_rule(const Options& o, const std::vector<Column>& columns) {
     if (o.until.empty()) return out;
     out.rule.emplace(o.until);
     for (const Tolerance& t : out.rule->tolerances()) {
-        out.watched.push_back(column_of(columns, t.metric));
+        out.watched.push_back(column_of(o, columns, t.metric));
         out.pixels.push_back(pixels_of(columns, t.metric));
+        if (columns[out.watched.back()].of_filled) out.of_filled = t.metric;
     }
     const std::string& dgp = out.rule->class_of();
     if (dgp.empty()) return out;
-    out.dgp = column_of(columns, dgp, std::string(dgp == "DGP" ? "class" : "classf") + " is that of " + dgp + ", but ");
+    out.dgp =
+        column_of(o, columns, dgp, std::string(dgp == "DGP" ? "class" : "classf") + " is that of " + dgp + ", but ");
     out.dgp_pixels = pixels_of(columns, dgp);
+    if (columns[out.dgp].of_filled) out.of_filled = dgp;
     return out;
 }
 

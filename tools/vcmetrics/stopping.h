@@ -18,6 +18,7 @@ struct StopRule {
     std::vector<std::optional<size_t>> pixels;  // their columns NAME.px
     size_t dgp = 0;                             // for the class
     std::optional<size_t> dgp_pixels;
+    std::string of_filled;  // a metric of the rule that there is not without moments of pixels
 };
 // Throws Error if the rule names a column that the run does not have, or that has no interval.
 StopRule stop_rule(const Options& options, const std::vector<glare::Column>& columns);

@@ -27,8 +27,8 @@ const regions = new Regions(view, () => shown?.eye ? shown : null);
 const edits = new Edits(draw_edits), sliders = new Sliders();
 const camera = new Camera(() => shown, () => regions.pivot());
 const variants = new Variants((text) => camera.say(text), (rgb) => tones.compare_with(rgb), (edit) => {
-  const rows = lines.runs.find((r) => r.edit === edit)?.rows;
-  return rows && verdict(glare_of(lines.columns), rows[rows.length - 1]).number;
+  const rows = lines.runs.find((r) => r.edit === edit)?.rows, last = rows?.[rows.length - 1];
+  return rows && verdict(glare_of(lines.columns, last), last).number;
 });
 const day = new Day(sliders), plan = new Plan();
 const pointed = new Pointed(() => shown, sliders);

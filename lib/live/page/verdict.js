@@ -4,7 +4,12 @@ const $ = (id) => document.getElementById(id);
 // DGP's classes (Wienold and Christoffersen 2006): a word and a sign each, so that colour says nothing alone.
 const limits = [.35, .40, .45], words = ['imperceptible', 'perceptible', 'disturbing', 'intolerable'], signs = ['○', '◔', '◑', '●'];
 export const class_of = (dgp) => limits.filter((limit) => dgp >= limit).length;
-export const glare_of = (names) => ['DGPf', 'DGPu', 'DGP'].find((name) => names.includes(name));
+// The first that has a value: pictures without moments have no DGPf.
+export function glare_of(names, row) {
+  const all = ['DGPf', 'DGPu', 'DGP'].filter((name) => names.includes(name));
+  return all.find((name) => Number.isFinite(row?.[name])) ?? all[0];
+}
+const black = 'no light reaches the eye: it is night, the eye is in a solid or below the ground, or the scene has no sky and no lamp';
 
 const three = (v) => v.toFixed(3).replace(/^0/, '');
 
@@ -12,6 +17,7 @@ const three = (v) => v.toFixed(3).replace(/^0/, '');
 export function verdict(name, row) {
   const value = row?.[name], ends = [row?.[`${name}.lo`], row?.[`${name}.hi`]];
   if (!Number.isFinite(value)) return { text: '', kind: '', number: '' };
+  if (row.Ev === 0) return { text: '', kind: '', number: row.frame === 0 ? '' : black };  // frame 0 may lack all of its light
   const told = ends.every(Number.isFinite), [low, high] = told ? ends.map(class_of) : [class_of(value), class_of(value)];
   return { text: `${signs[high]} ${low === high ? '' : `${words[low]} to `}${words[high]}`, kind: `class${high}`,
     number: `${name} ${three(value)}${told ? ` (${three(ends[0])} to ${three(ends[1])})` : ''}` };
@@ -35,7 +41,7 @@ export function state_of({ refused, lost, ended, paused, what, settled, since })
 }
 
 export function show_verdict(lines, state) {
-  const row = lines.rows[lines.rows.length - 1], { text, kind, number } = verdict(glare_of(lines.columns), row);
+  const row = lines.rows[lines.rows.length - 1], { text, kind, number } = verdict(glare_of(lines.columns, row), row);
   const settled = lines.rows.find((r) => r.settled > 0)?.frame;
   write($('verdict'), text);
   $('verdict').className = kind;
