@@ -99,10 +99,11 @@ struct Limits {
     uint64_t copies = 10000000;  // of one xform command's arrays; a generator writes a million pieces or this
 };
 
-// Reads scene files in order ("-" = stdin, "!..." = a command as in a scene file); xform, genbox (and the other
-// generators) run inside, never as programs. .oct and .rtm/.obj are recognised by content/ending.  Throws Error with
-// file:line. Surfaces come out in canonical form: radii positive, cones with equal radii are cylinders, rings have r0 <
-// r1, a polygon's repeated last vertex is gone; unusable ones (no area, no axis) are dropped with a warning.
+// Reads scene files in order ("-" = stdin, "!..." = a command as in a scene file, several lines = scene text); xform,
+// genbox (and the other generators) run inside, never as programs. .oct and .rtm/.obj are recognised by
+// content/ending.  Throws Error with file:line. Surfaces come out in canonical form: radii positive, cones with equal
+// radii are cylinders, rings have r0 < r1, a polygon's repeated last vertex is gone; unusable ones (no area, no axis)
+// are dropped with a warning.
 Scene read_scene(const std::vector<std::string>& files, const ReadOptions& options, const Limits& limits = {});
 // Scene text that is not a file's; name: for messages.
 Scene read_scene_text(const std::string& text, const std::string& name);

@@ -184,7 +184,8 @@ void read_more(Scene& scene, const std::vector<std::string>& files, const ReadOp
     const size_t before = scene.objects.size();
     SceneReader reader(scene, options, limits);
     for (const std::string& file : files) {
-        if (file[0] == '!') reader.read_statements(file, "command line", 1);
+        const bool is_text = file[0] == '!' || file.find('\n') != std::string::npos;
+        if (is_text) reader.read_statements(file, "command line", 1);
         else reader.read_file(file, options.asked_by);
     }
     if (options.skies != Skies::any && before > 0) require_one_sky(scene, before);
