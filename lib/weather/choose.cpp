@@ -77,6 +77,7 @@ public:
     bool names(const Hour& hour) const { return named_.count(hour.time.minute_of_year()) > 0; }
     std::vector<size_t> share(std::vector<size_t> hours) const;
     std::string note() const;
+    int year() const { return year_; }
 
 private:
     bool read_span(const std::string& from, const std::string& to);
@@ -90,7 +91,7 @@ private:
     std::set<int> minutes_, named_;  // of hours in files and by name; by name alone
     std::optional<DayRule> summer_[2];
     std::vector<Schedule> schedules_;
-    int first_weekday_;
+    int first_weekday_, year_ = 0;
     bool leap_ = false;
     Span summer_days_{0, 0};
     size_t part_ = 1, parts_ = 1;
@@ -124,7 +125,8 @@ bool HourWords::read_name(const std::string& word) {
     if (date_named(word)) return read_span(word, word);
     long long year = 0;
     if (!base::parse_integer(word, year) || year < 1900 || year > 2999) return false;
-    first_weekday_ = weekday_of_1_january(int(year));
+    year_ = int(year);
+    first_weekday_ = weekday_of_1_january(year_);
     leap_ = year % 4 == 0 && (year % 100 != 0 || year % 400 == 0);
     return true;
 }
@@ -232,6 +234,7 @@ Choice choose_hours(const Weather& w, const std::string& words, std::optional<do
         if (rules.uses(w.hours[i])) c.hours.push_back(i);
     if (c.hours.empty()) base::fail(option, "\"" + base::excerpt(words) + "\" means no hour of " + w.path);
     c.note = rules.note();
+    c.year = rules.year();
     c.whole = c.hours.size();
     c.hours = rules.share(std::move(c.hours));
     for (const size_t i : c.hours)

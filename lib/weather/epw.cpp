@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/number.h"
 #include "base/split.h"
 #include "weather/day_rule.h"
 #include "weather/lines.h"
@@ -12,7 +13,17 @@
 namespace weather {
 namespace {
 
-enum Field { month = 1, day = 2, hour = 3, minute = 4, dew_point = 7, global = 13, direct_normal = 14, diffuse = 15 };
+enum Field {
+    year = 0,
+    month = 1,
+    day = 2,
+    hour = 3,
+    minute = 4,
+    dew_point = 7,
+    global = 13,
+    direct_normal = 14,
+    diffuse = 15
+};
 
 // Ten fields, of which the last four are numbers; where names hold commas there are more.
 void read_location(Lines& in, Weather& w) {
@@ -70,10 +81,12 @@ void read_epw(Lines& in, Weather& w) {
     }
     w.step_min = 60. / parts;
     std::vector<double> minutes;
+    long long line_year = 0;
     while (in.next()) {
         in.split(',');
         Hour h;
         h.time.date = {in.whole(month, "the month", 1, 12), in.whole(day, "the day", 1, 31)};
+        if (base::parse_integer(in.field(year, "the year"), line_year) && has_sun(line_year)) h.year = int(line_year);
         const int end = in.whole(hour, "the hour", 1, 24);
         // In hourly files the minute is 0 or 60, and means nothing.
         const double last = parts == 1 ? 60 : in.number(minute, "the minute", 0, 60);

@@ -16,13 +16,19 @@ struct Hour {
     double direct_wm2 = 0, diffuse_wm2 = 0;  // normal and horizontal, as the file has them; NAN: an empty field
     double global_wm2 = NAN;                 // horizontal, likewise; WEA files have none
     double dew_point_c = 99.9;               // above 70: not known
+    int year = 0;                            // 1901 to 2099; 0: not stated
     uint32_t line = 0;
 };
+
+constexpr int usual_year = 2022;  // whose sun lines without a year have
+// Years whose sun is known to .02 degrees.
+inline bool has_sun(long long year) { return year >= 1901 && year <= 2099; }
 
 struct Weather {
     std::string path, place;
     double latitude_deg = 0, longitude_deg = 0, meridian_deg = 0;  // north; west, as RADIANCE has them
     double step_min = 60;                                          // length of an Hour
+    int year = usual_year;                                         // of lines that state none
     int first_weekday = 6;                                         // of 1 January, 0: Monday
     std::string summer_time[2];  // daylight saving from and to this day, as the file has it; empty: not stated
     std::vector<Hour> hours;     // by date, whatever the order of the lines
@@ -35,7 +41,7 @@ struct Weather {
 };
 
 // Throws Error (place: file and line) where the file is neither format, a line is broken or an hour comes twice.
-// A missing value (9999, -999, an empty field) is an error only where it is needed (sky.h).
+// A missing value (9999, -999, an empty field) is an error only where it is needed (light.h).
 Weather read_weather(const std::string& path);
 
 }  // namespace weather

@@ -14,7 +14,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
         const weather::Weather w = weather::read_weather("t.epw");
         const weather::Choice c = weather::choose_hours(w, text.substr(0, end));
         const weather::Hour& h = w.hours.at(c.hours.at(0));
-        if (!weather::is_dark(w, h)) scene::read_scene({weather::sky_text(w, h)}, {});
+        if (const auto light = weather::light_of(w, h)) scene::read_scene({weather::sky_text(w, h, *light)}, {});
     });
     return 0;
 }

@@ -23,20 +23,29 @@ check 'hours by date, named by their middle, of which the user is told' '
     render -wea y.wea -hours "1221 1222 4-13" > all.str 2> said
     strings all.str | sed -n "s/^SKYNAME=//p" | uniq | tr "\n" " " > is
     [ "$(cat is)" = "1221_0430 1221_0730 1221_1230 1222_1230 " ]
-    grep -qx "ptrace: y.wea: hours: 4 of 4, 2 dark; 1 January is a Sunday, standard time is UTC-7" said'
+    year="the sun is that of 2022; 1 January is a Sunday, standard time is UTC-7"
+    grep -qx "ptrace: y.wea: hours: 4 of 4, 2 dark; $year" said'
 ptaccum -o '%s.exr' < all.str
 check 'headers have time, sun and irradiances' '
     strings all.str | grep -A 2 "^TIME= 21 Dec 12:30 UTC-7" | sed -n 2,3p | tr "\n" " " > is
-    [ "$(cat is)" = "SUN= 26.37 188.19 IRRADIANCE= 700 90 " ] '
+    [ "$(cat is)" = "SUN= 26.41 187.96 IRRADIANCE= 700 90 " ] '
 check 'an hour has the frames of a run for this hour alone' '
     render -wea y.wea -hours 1221_1230 | ptaccum -last -o alone_%s.exr
     [ "$(mkstream differ alone_1221_1230.exr 1221_1230.exr)" = 0 ]'
 check 'and those of a run with its sky as a file and its seed' '
     cat > noon.rad <<END
-!gendaylit 12 21 12.5 -a 39.74 -o 105.18 -m 105 -W 700 90 -i 60
+# as gendaylit 12 21 12.5 -y 2022 -a 39.74 -o 105.18 -m 105 -W 700 90 -i 60
+void light solar 0 0 3 5466091.5 5466091.5 5466091.5
+solar source sun 0 0 4 -0.1239985 -0.887012422 0.444784641 0.533
+void brightfunc skyfunc 2 skybright perezlum.cal 0 10 32.2790985 13.187849
+-1.05716443 -0.318681985 13.0662575 -3.42451596 0.344909966
+-0.1239985 -0.887012422 0.444784641
 skyfunc glow sky_glow 0 0 4 1 1 1 0
 sky_glow source sky 0 0 4 0 0 1 180
-skyfunc glow ground_glow 0 0 4 1 1 1 0
+void brightfunc groundfunc 2 skybright perezlum.cal 0 10 32.2790985 13.187849
+-1.05716443 -0.318681985 13.0662575 -3.42451596 0.344909966
+-0.1239985 -0.887012422 0.444784641
+groundfunc glow ground_glow 0 0 4 1 1 1 0
 ground_glow source ground 0 0 4 0 0 -1 180
 END
     seed=$((1000000 + (355 * 24 + 12) * 60 + 30))
@@ -44,7 +53,7 @@ END
     render -seed $seed -sky noon.rad | ptaccum -last -o alone_%s.exr
     [ "$(mkstream differ alone_noon.exr 1221_1230.exr)" = 0 ]'
 check 'the hour in which the sun rises has it in the middle of its light' '
-    strings all.str | grep -A 1 "^TIME= 21 Dec 07:30" | grep -qx "SUN= 3.03 124.21"'
+    strings all.str | grep -A 1 "^TIME= 21 Dec 07:30" | grep -qx "SUN= 2.97 124.13"'
 check 'dark hours are one black frame, and have their line' '
     ptaccum < all.str | vcmetrics -metrics Ev,DGPf > t.tsv
     [ "$(awk "\$3 ~ /0430|1222/ { print \$1, \$4 }" t.tsv | sort | uniq -c | tr -s " ")" = " 2 0 0" ]
@@ -59,6 +68,39 @@ check 'several views under each hour' '
     [ -e a_1221_1230.exr ] && [ -e b_1221_1230.exr ]'
 check 'progress counts pictures' 'render -t 1 -x 256 -y 256 -frames 9 -wea y.wea -hours "1221 4-13" 2> said > frames
     grep -qE "^ptrace: 1221_(07|12)30: frame [0-9] of 8, picture [12] of 2, .* s left" said'
+cat > lit.wea <<'END'
+place Here
+latitude 45
+longitude -8
+time_zone -15
+site_elevation 0
+weather_data_file_units 1
+1 2 8.5 441.62 45
+2 29 12.5 300 90
+3 21 12.5 800 200
+6 21 12.5 0 200
+6 21 14.5 800 0
+12 21 4.5 5 0
+12 21 12.5 50 40
+END
+lux() { ptrace -points level.pts -frames 400 "$@" ground.rad | ptaccum -every x2 | vcmetrics -each; }
+check 'a level sensor has Perez'"'"' illuminance of both irradiances' '
+    printf "void plastic p 0 0 5 .2 .2 .2 0 0\np ring r 0 0 8 0 0 -99 0 0 1 0 .01\n" > ground.rad
+    echo 0 0 0 0 0 1 > level.pts
+    lux -wea lit.wea > lux.tsv 2> said
+    printf "%s\n" "0229_1230 32339.8" "0321_1230 82789.9" "0621_1230 24734.2" "1221_1230 6882.95" > expected
+    awk "NR == FNR { lux[\$1] = \$2; next } \$1 in lux && (\$4 / lux[\$1] - 1) ^ 2 < 1e-6 { ++n } END { exit n != 4 }" \
+        expected lux.tsv'
+check 'no hour with light is black, also where gendaylit has no sky, and without diffuse light' '
+    [ "$(awk "\$1 == \"0102_0830\" && \$4 > 6700 || \$1 == \"0621_1430\" && \$4 > 70000" lux.tsv | wc -l)" = 2 ]
+    [ "$(awk "\$1 == \"1221_0430\" { print \$4 }" lux.tsv)" = 0 ]'
+check 'what is left out of a sky, and light without a sun, is told once by its hour' '
+    grep -qx "ptrace: warning: lit.wea:7: 0102_0830: Perez. sky is not positive .* left out" said
+    grep -qx "ptrace: warning: lit.wea:12: 1221_0430: has direct sunlight with the sun below the horizon.*" said
+    [ "$(wc -l < said)" = 3 ]'
+check 'the sun is that of the year in -hours' '
+    lux -wea lit.wea -hours "2023 0321" 2> said | grep ^0321_1230 > of_2023
+    grep -q "the sun is that of 2023; 1 January is a Sunday" said; ! grep -qFf of_2023 lux.tsv'
 check_error 'a missing value is an error where the sun is up' 1 \
     '^ptrace: y.wea:11: the direct normal irradiance of 1222_1330 is 9999 W/m2: missing, or wrong$' \
     'render -wea y.wea > out.str'

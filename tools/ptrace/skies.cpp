@@ -27,19 +27,34 @@ static void check_clock(const weather::Weather& w) {
                                        100 * e->as_placed, 100 * e->shifted, e->shift_h - w.shift_h, e->shift_h));
 }
 
+// What the sky of an hour has other than its line of the file would make one think.
+static void warn_of(const weather::Weather& w, const weather::Hour& h, const weather::Sun& sun,
+                    const std::optional<weather::HourLight>& light) {
+    const std::string place = w.place_of(h) + ": " + weather::name_of(h.time);
+    if (light && (light->even_gradation || light->even_indicatrix))
+        base::warn(place, "Perez' sky is not positive for this light: the part of it that is not is left out");
+    if (sun.altitude_deg <= 0 && h.direct_wm2 > 0 && h.direct_wm2 < weather::most_wm2)
+        base::warn(place, "has direct sunlight with the sun below the horizon: the hour counts as dark");
+}
+
 HourSkies skies_of_hours(const std::string& weather_file, const std::string& hours, const HourOptions& options,
                          uint64_t seed) {
     weather::Weather w = weather::read_weather(weather_file);
     w.shift_h = options.shift_h;
-    check_clock(w);
     const weather::Choice choice = weather::choose_hours(w, hours, options.used_from);
+    if (weather::has_sun(choice.year)) w.year = choice.year;
+    check_clock(w);
     HourSkies all;
     size_t dark = 0;
+    bool by_one_year = false;
     for (const size_t i : choice.hours) {
         const weather::Hour& h = w.hours[i];
         const weather::Sun sun = weather::sun_of(w, h);
-        Sky sky{weather::name_of(h.time), "", seed_of(h.time, seed), weather::is_dark(w, h), {}};
-        if (!sky.dark) sky.file = weather::sky_text(w, h);
+        const auto light = weather::light_of(w, h);
+        Sky sky{weather::name_of(h.time), "", seed_of(h.time, seed), !light, {}};
+        if (light) sky.file = weather::sky_text(w, h, *light);
+        warn_of(w, h, sun, light);
+        by_one_year |= h.year == 0;
         dark += sky.dark;
         const int minute = h.time.minute_of_year() % 1440;
         sky.lines = {fmt::format("TIME= {} {:02}:{:02} UTC{:+g}", weather::day_text(h.time.date), minute / 60,
@@ -48,7 +63,7 @@ HourSkies skies_of_hours(const std::string& weather_file, const std::string& hou
                      fmt::format("IRRADIANCE= {:g} {:g}", h.direct_wm2, h.diffuse_wm2)};
         all.skies.push_back(std::move(sky));
     }
-    all.note = fmt::format("{}: hours: {} of {}, {} dark; {}", weather_file, choice.hours.size(), choice.whole, dark,
-                           choice.note);
+    all.note = fmt::format("{}: hours: {} of {}, {} dark; {}{}", weather_file, choice.hours.size(), choice.whole, dark,
+                           by_one_year ? fmt::format("the sun is that of {}; ", w.year) : "", choice.note);
     return all;
 }

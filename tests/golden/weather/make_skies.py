@@ -1,34 +1,23 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""make_skies.py > skies.tsv, with RADIANCE's gendaylit and gendaymtx on PATH: 200 hours of made-up weather in three
-climates, the Perez sky of each by gendaylit and where gendaymtx puts the sun."""
+"""make_skies.py > skies.tsv, with RADIANCE's gendaylit on PATH: 200 hours of made-up weather in three climates and many
+years, the sun and the Perez sky of each."""
 import math
-import os
 import random
 import subprocess
-import tempfile
 
 SITES = [(39.74, 105.18, 105), (28.58, -77.2, -82.5), (-33.95, -151.18, -150)]  # degrees north, west; meridian
 DAYS = [31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31]
 
 
-def run(*words, text=""):
-    return subprocess.run([str(w) for w in words], input=text, capture_output=True, text=True, check=True).stdout
-
-
-def sun_of_gendaymtx(site, row):
-    head = (f"place p\nlatitude {site[0]}\nlongitude {site[1]}\ntime_zone {site[2]}\nsite_elevation 0\n"
-            "weather_data_file_units 1\n")
-    with tempfile.NamedTemporaryFile() as suns:
-        run("gendaymtx", "-i", 60, "-m", 1, "-D", suns.name, text=head + row + "\n")
-        numbers = [line.split() for line in open(suns.name).read().splitlines() if line.endswith("0.5330")]
-    return numbers[0][1:4]
+def run(*words):
+    return subprocess.run([str(w) for w in words], capture_output=True, text=True, check=True).stdout
 
 
 def main():
     rng = random.Random(1)
-    print("# make_skies.py; RADIANCE's gendaylit -i 60 and gendaymtx -i 60 (pyradiance 1.3.1)")
-    print("# latitude longitude meridian month day hour direct diffuse dew point; solar radiance; skyfunc; sun")
+    print("# make_skies.py; RADIANCE's gendaylit -i 60 (pyradiance 1.3.1)")
+    print("# latitude longitude meridian year month day hour direct diffuse dew point; solar radiance; skyfunc")
     rows = 0
     while rows < 200:
         site = SITES[rows % 3]
@@ -46,15 +35,15 @@ def main():
         direct = round(1367 * .7 ** air ** .678) if clear else round(rng.random() ** 3 * 200)
         diffuse = max(1, round(1367 * max(sine, .005) * (.1 if clear else .1 + .3 * rng.random())))
         dew = round(-5 + 20 * rng.random(), 1)
-        date = f"{month} {day} {hour}"
+        date, year = f"{month} {day} {hour}", rng.randrange(1950, 2051)
         sky = run("gendaylit", *date.split(), "-a", site[0], "-o", site[1], "-m", site[2], "-W", direct, diffuse,
-                  "-d", dew, "-i", 60).split("\n\n")
+                  "-d", dew, "-i", 60, "-y", year).split("\n\n")
         if "light" not in sky[1]:
             continue  # no sun
         solar = sky[1].split()[-1]
         numbers = sky[3].split()[-10:]
-        print("\t".join([f"{site[0]} {site[1]} {site[2]} {date} {direct} {diffuse} {dew}", solar, " ".join(numbers),
-                         " ".join(sun_of_gendaymtx(site, f"{date} {direct} {diffuse}"))]))
+        print("\t".join([f"{site[0]} {site[1]} {site[2]} {year} {date} {direct} {diffuse} {dew}", solar,
+                         " ".join(numbers)]))
         rows += 1
 
 
