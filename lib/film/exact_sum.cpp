@@ -194,7 +194,7 @@ void ExactSum::values(size_t i, size_t count, double* out) const {
     double rest[block];
     for (size_t from = 0; from < count; from += block) {
         const size_t n = std::min(block, count - from);
-        pairs_->values(i + from, n, out + from, rest);
+        if (!pairs_->values(i + from, n, out + from, rest)) continue;
         for (size_t k = 0; k < n; ++k) {
             if (rest[k] == 0) continue;
             ExactSum one;

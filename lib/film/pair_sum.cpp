@@ -15,36 +15,56 @@ namespace {
 constexpr size_t numbers_a_share = 1u << 16;
 constexpr uint32_t magnitude = 0x7fffffff, infinite = 0x7f800000;
 
+uint32_t bits_of(float v) {
+    uint32_t bits;
+    std::memcpy(&bits, &v, 4);
+    return bits;
+}
+// The value, or 0 in place of one that is not finite.
+uint32_t finite_bits(float v) {
+    const uint32_t bits = bits_of(v);
+    return bits & (0 - uint32_t((bits & magnitude) < infinite));
+}
+float finite(float v) {
+    const uint32_t bits = finite_bits(v);
+    std::memcpy(&v, &bits, 4);
+    return v;
+}
+
 // As bits, which stand in the order of floats.
 WIDE_LOOP PairSum::Extent extent_of(const float* values, size_t n) {
     uint32_t least = UINT32_MAX, most = 0, odd = 0;
     for (size_t i = 0; i < n; ++i) {
-        uint32_t bits;
-        std::memcpy(&bits, values + i, 4);
-        bits &= magnitude;
-        odd = std::max(odd, bits);
-        bits = bits < infinite ? bits : 0;
-        most = std::max(most, bits);
-        least = std::min(least, bits - 1);  // of 0 it is the largest number
+        const uint32_t bits = finite_bits(values[i]) & magnitude, less = bits - 1;  // of 0 the largest number
+        odd |= bits_of(values[i]) ^ finite_bits(values[i]);
+        most = bits > most ? bits : most;
+        least = less < least ? less : least;
     }
-    return {least + (most > 0), most, odd < infinite};
+    return {least + (most > 0), most, odd == 0};
 }
 
 WIDE_LOOP void add_to(const float* values, size_t n, double* high, double* low) {
     for (size_t i = 0; i < n; ++i) {
-        const double v = values[i] - values[i] == 0 ? double(values[i]) : 0.;
-        const double h = high[i], sum = h + v, added = sum - h;
+        const double v = double(finite(values[i])), h = high[i], sum = h + v, added = sum - h;
         high[i] = sum;
         low[i] += (h - (sum - added)) + (v - added);
     }
 }
 
-WIDE_LOOP void round(const double* high, const double* low, size_t n, double* nearest, double* rest) {
+// Whether there is a rest.
+WIDE_LOOP bool round(const double* high, const double* low, size_t n, double* nearest, double* rest) {
+    uint64_t any = 0;
     for (size_t i = 0; i < n; ++i) {
         const double h = high[i], l = low[i], sum = h + l, added = sum - h;
         nearest[i] = sum;
         rest[i] = (h - (sum - added)) + (l - added);
     }
+    for (size_t i = 0; i < n; ++i) {
+        uint64_t bits;
+        std::memcpy(&bits, rest + i, 8);
+        any |= bits;
+    }
+    return any != 0;
 }
 
 }  // namespace
@@ -78,8 +98,8 @@ bool PairSum::add(const std::vector<float>& values, unsigned threads, bool& fini
     return true;
 }
 
-void PairSum::values(size_t i, size_t count, double* nearest, double* rest) const {
-    round(&high_[i], &low_[i], count, nearest, rest);
+bool PairSum::values(size_t i, size_t count, double* nearest, double* rest) const {
+    return round(&high_[i], &low_[i], count, nearest, rest);
 }
 
 }  // namespace film

@@ -14,8 +14,8 @@ public:
     // One value for each sum; those that are not finite count as 0, `finite` says whether there were none.  false: the
     // sums would not be exact, and nothing was added.
     bool add(const std::vector<float>& values, unsigned threads, bool& finite);
-    // Sums from i on: the nearest doubles, and what these lack.
-    void values(size_t i, size_t count, double* nearest, double* rest) const;
+    // Sums from i on: the nearest doubles, and what these lack.  false: they lack nothing.
+    bool values(size_t i, size_t count, double* nearest, double* rest) const;
 
     size_t size() const { return high_.size(); }
     struct Extent {  // of absolute values above 0
