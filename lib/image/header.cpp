@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include <sstream>
+#include <charconv>
 
 #include "base/error.h"
 #include "base/number.h"
@@ -16,9 +16,10 @@ namespace {
 
 constexpr size_t longest_line = 2040;  // RADIANCE reads lines of at most 2047 characters
 
-std::optional<std::string> value_of(const std::string& line, const char* key) {
-    const size_t n = std::char_traits<char>::length(key);
-    if (line.compare(0, n, key) != 0) return std::nullopt;
+template <size_t size>
+std::optional<std::string> value_of(const std::string& line, const char (&key)[size]) {
+    constexpr size_t n = size - 1;
+    if (!base::begins_with(line, {key, n})) return std::nullopt;
     const size_t from = line.find_first_not_of(' ', n);
     if (from == std::string::npos) return std::string();
     return line.substr(from, line.find_last_not_of(" \t\r") + 1 - from);
@@ -60,9 +61,11 @@ void add_range(Ranges& ranges, const std::pair<int64_t, int64_t>& more, const st
 template <class Int>
 Int integer(const std::string& line, const std::string& text, const std::string& where) {
     Int value{};
-    std::istringstream in(text);
-    in >> value;
-    if (text.empty() || text[0] == '-' || in.fail() || in.peek() != EOF)
+    const char *first = text.data(), *const last = first + text.size();
+    while (first < last && (*first == ' ' || *first == '\t')) ++first;
+    if (first < last && *first == '+') ++first;
+    const auto [end, error] = std::from_chars(first, last, value);
+    if (first == last || *first == '-' || error != std::errc() || end != last)
         base::fail(where, "header line \"" + line + "\" is not a whole number from 0");
     return value;
 }

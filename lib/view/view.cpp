@@ -70,15 +70,24 @@ bool parse_line(View& v, const std::string& line, std::string* wrong) {
     struct Reader {
         View view;
         base::OptionTable options;
+        std::string line, unread;  // of the last call, as are the others
+        View before, after;
+        bool any = false;
         Reader() { declare_options(options, view); }
     };
     thread_local Reader reader;
+    if (line == reader.line && v == reader.before) {  // as in streams
+        v = reader.after;
+        if (wrong) *wrong = reader.unread;
+        return reader.any;
+    }
 
     std::istringstream in(line.compare(0, 5, "VIEW=") == 0 ? line.substr(5) : line);
     reader.view = v;
     std::string unread;
     const bool any = reader.options.read_header_words(
         {std::istream_iterator<std::string>(in), std::istream_iterator<std::string>()}, unread);
+    reader.line = line, reader.before = v, reader.after = reader.view, reader.unread = unread, reader.any = any;
     v = reader.view;
     if (wrong) *wrong = unread;
     return any;
@@ -86,10 +95,11 @@ bool parse_line(View& v, const std::string& line, std::string* wrong) {
 
 bool is_view_line(const std::string& line) {
     if (line.compare(0, 5, "VIEW=") == 0) return true;
-    std::string word = line.substr(0, line.find_first_of(" \t"));
-    word = word.substr(word.rfind('/') == std::string::npos ? 0 : word.rfind('/') + 1);
+    std::string_view word(line);
+    word = word.substr(0, word.find_first_of(" \t"));
+    word.remove_prefix(word.rfind('/') + 1);  // npos + 1 is 0
     for (const char* program : {"rpict", "rvu", "rpiece", "rxpiece", "pinterp", "rview", "evalglare"})
-        if (word.compare(0, std::string(program).size(), program) == 0) return true;
+        if (base::begins_with(word, program)) return true;
     return false;
 }
 
