@@ -115,11 +115,10 @@ bool HourWords::read_span(const std::string& from, const std::string& to) {
 bool HourWords::read_name(const std::string& word) {
     if (weekday_named(word) || month_named(word)) return read_span(word, word);
     if (const auto t = parse_name(word); t && t->hour >= 0) {
-        const auto same = [&](const Hour& h) { return name_of(h.time) == word; };
-        if (std::none_of(weather_.hours.begin(), weather_.hours.end(), same))
-            base::fail(option, word + " is not an hour of " + weather_.path);
-        minutes_.insert(t->minute_of_year());
-        named_.insert(t->minute_of_year());
+        const auto minute = weather_.minute_named(*t);
+        if (!minute) base::fail(option, word + " is not an hour of " + weather_.path);
+        minutes_.insert(*minute);
+        named_.insert(*minute);
         return true;
     }
     if (date_named(word)) return read_span(word, word);

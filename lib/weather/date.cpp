@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 
 namespace weather {
 namespace {
@@ -44,7 +45,12 @@ Date date_of(int day) {
 
 std::string day_text(Date date) { return fmt::format("{} {:.3}", date.day, months[date.month - 1]); }
 
-int Time::minute_of_year() const { return (date.in_leap_year() - 1) * 1440 + int(hour * 60 + 1e-6); }
+// To the nearest minute.  Halves go down, so that the minutes of a day have names of their own; three decimals of an
+// hour, which is what Ladybug writes, are up to .03 of a minute beside them.
+int Time::minute_of_year() const {
+    constexpr double half = .54;
+    return (date.in_leap_year() - 1) * 1440 + std::clamp(int(std::ceil(hour * 60 - half)), 0, 1439);
+}
 
 std::string name_of(const Time& t) {
     const int minute = t.minute_of_year() % 1440;

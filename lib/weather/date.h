@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Days and hours of a year in standard time, and their names: "0621_1430" is the hour whose middle is 14:30 on 21 June.
-// Years have 365 days; 29 February is one more, which has the sun of 1 March.
+// Days and hours of a year in standard time, and their names: "0621_1430" is the hour whose middle is 14:30 on 21 June,
+// to the nearest minute.  Years have 365 days; 29 February is one more, which in a year without one has the sun of
+// 1 March.
 #pragma once
 #include <optional>
 #include <string>
@@ -21,8 +22,8 @@ std::string day_text(Date date);  // "21 Jun"
 
 struct Time {
     Date date;
-    double hour = 0;  // standard time, 0 to 24
-    int minute_of_year() const;
+    double hour = 0;             // standard time, 0 to 24
+    int minute_of_year() const;  // of a leap year, rounded
 };
 std::string name_of(const Time& time);
 // "0621_1430", or "0621" without an hour (-1).

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <functional>
 #include <map>
-#include <set>
 
 #include "base/error.h"
 #include "base/number.h"
@@ -73,8 +72,6 @@ std::vector<bool> used_hours(const std::vector<double>& values, const std::strin
 
 Schedule read_schedule(const std::string& path, const Weather& w, std::optional<double> used_from) {
     Schedule s;
-    std::set<int> known;
-    for (const Hour& h : w.hours) known.insert(h.time.minute_of_year());
     std::vector<double> values;
     Lines in(path);
     for (bool first = true; in.next(); first = false) {
@@ -83,8 +80,9 @@ Schedule read_schedule(const std::string& path, const Weather& w, std::optional<
         const std::string& word = in.field(0, "an hour");
         // A lone number is a value, also where it reads as a date.
         if (const auto t = in.fields() > 1 || !is_number(word) ? parse_name(word) : std::nullopt; t && t->hour >= 0) {
-            if (!known.count(t->minute_of_year())) in.fail(word + " is not an hour of " + w.path);
-            s.minutes.push_back(t->minute_of_year());
+            const auto minute = w.minute_named(*t);
+            if (!minute) in.fail(word + " is not an hour of " + w.path);
+            s.minutes.push_back(*minute);
             if (s.minutes.size() > 366 * 1440) in.fail("more names than a year has minutes");
         } else if (!is_number(word)) {
             if (!first) in.fail("\"" + base::excerpt(word) + "\" is neither the name of an hour nor a value");

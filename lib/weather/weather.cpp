@@ -104,6 +104,17 @@ static void require_zone(const Weather& w) {
     base::fail(w.path, text);
 }
 
+std::optional<int> Weather::minute_named(const Time& name) const {
+    const int wanted = name.minute_of_year();
+    auto h = std::lower_bound(hours.begin(), hours.end(), wanted - 1,
+                              [](const Hour& a, int minute) { return a.time.minute_of_year() < minute; });
+    std::vector<int> near;
+    for (; h != hours.end() && h->time.minute_of_year() <= wanted + 1; ++h) near.push_back(h->time.minute_of_year());
+    if (std::find(near.begin(), near.end(), wanted) != near.end()) return wanted;
+    if (near.size() != 1) return std::nullopt;
+    return near[0];
+}
+
 Weather read_weather(const std::string& path) {
     std::error_code absent;
     if (std::filesystem::is_directory(path, absent))

@@ -3,6 +3,7 @@
 #pragma once
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,9 @@ struct Weather {
     // Of the sun: hours later are degrees west.
     double sun_meridian_deg() const { return meridian_deg + 15 * shift_h; }
 
+    // Time::minute_of_year() of the hour of this name; else of the only one a minute away, where seconds were rounded
+    // in another way.
+    std::optional<int> minute_named(const Time& name) const;
     std::string place_of(const Hour& hour) const { return path + ":" + std::to_string(hour.line); }
 };
 

@@ -96,8 +96,8 @@ def by_rtrace(hour):
     lines = [line.split() for line in WEA.read_text().splitlines()]
     where = {words[0]: words[1] for words in lines[:6]}
     direct, diffuse = next(w[3:] for w in lines[6:] if (int(w[0]), int(w[1]), float(w[2])) == (month, day, at))
-    sky = run([RADIANCE / "bin" / "gendaylit", month, day, at, "-a", where["latitude"], "-o", where["longitude"], "-m",
-               where["time_zone"], "-W", direct, diffuse])
+    sky = run([RADIANCE / "bin" / "gendaylit", month, day, at, "-y", 2022, "-a", where["latitude"], "-o",
+               where["longitude"], "-m", where["time_zone"], "-W", direct, diffuse])
     for side, up in (("sky", 1), ("ground", -1)):
         sky += (f"\nskyfunc glow {side}_glow 0 0 4 1 1 1 0\n{side}_glow source {side} 0 0 4 0 0 {up} 180\n").encode()
     parts = sorted(p for p in MODEL.rglob("*") if p.suffix in (".mat", ".rad"))

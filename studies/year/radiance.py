@@ -22,13 +22,13 @@ def output(words, **options):
 
 
 def octree(out, scene, hour, path):
-    """Frozen octree of the scene under the sky that ptrace -wea makes of the hour's line."""
+    """Frozen octree of the scene under gendaylit's sky for the hour's line: ptrace -wea's, up to its level."""
     lines = [line.split(",") for line in truth.weather_of(scene, out).read_text().splitlines()]
     latitude, longitude, zone = map(float, lines[0][6:9])
     month, day, at = int(hour[:2]), int(hour[2:4]), int(hour[5:7]) + int(hour[7:]) / 60
     line = next(w for w in lines[8:] if (int(w[1]), int(w[2]), int(w[3])) == (month, day, int(at) + 1))
-    sky = output(["gendaylit", month, day, at, "-a", latitude, "-o", -longitude, "-m", -15 * zone, "-W", line[14],
-                  line[15], "-d", line[7]])
+    sky = output(["gendaylit", month, day, at, "-y", line[0], "-a", latitude, "-o", -longitude, "-m", -15 * zone,
+                  "-W", line[14], line[15], "-d", line[7]])
     for side, up in (("sky", 1), ("ground", -1)):
         sky += f"\nskyfunc glow {side}_glow 0 0 4 1 1 1 0\n{side}_glow source {side} 0 0 4 0 0 {up} 180\n".encode()
     files = [word for word in truth.words_of(scene) if str(word).endswith(".rad")]

@@ -2,6 +2,7 @@
 // Weather files with their faults, the sun and sky of an hour against RADIANCE's, and which hours are meant.
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <cmath>
 
@@ -276,6 +277,38 @@ TEST_CASE("daylight saving shifts the clock, and the note says so") {
     CHECK(count(w, "Su dst=1Jan-31Dec") == count(w, "Su"));                // 31 December, a Sunday, has its last hour
     CHECK(first_of(choose_hours(w, "Mo dst=0102-0110"), "0108") == 23.5);  // a Sunday by standard time
     CHECK(count(w, "8-18 dst=25Oct-29Mar") == 3650);                       // south
+}
+
+TEST_CASE("names are to the nearest minute, and either neighbour of a half is taken") {
+    const Folder folder;
+    // Of each length of step: middles in 12 digits, and in three decimals as Ladybug has them.
+    for (const int step : {1, 2, 3, 4, 5, 6, 10, 12, 15, 20, 30, 60})
+        for (const int digits : {12, 3}) {
+            CAPTURE(step);
+            CAPTURE(digits);
+            std::string text = wea_head;
+            for (int i = 0; i < 1440 / step; ++i)
+                text += fmt::format("6 21 {:.{}f} 1 1\n", (i + .5) * step / 60, digits);
+            Folder::write("steps.wea", text);
+            const Weather w = read_weather("steps.wea");
+            REQUIRE(w.hours.size() == size_t(1440 / step));
+            for (int i = 0; i < 1440 / step; ++i) {
+                const int minute = i * step + step / 2;
+                const auto name = [](int m) { return fmt::format("0621_{:02}{:02}", m / 60, m % 60); };
+                REQUIRE(name_of(w.hours[size_t(i)].time) == name(minute));
+                REQUIRE(choose_hours(w, name(minute)).hours == std::vector<size_t>{size_t(i)});
+                if (step > 2 && minute + 1 < 1440)
+                    REQUIRE(choose_hours(w, name(minute + 1)).hours == std::vector<size_t>{size_t(i)});
+            }
+        }
+    Folder::write("w.wea", wea_head + "6 21 12.333 800 100\n6 21 12.667 800 100\n");
+    const Weather w = read_weather("w.wea");
+    CHECK(name_of(w.hours[0].time) == "0621_1220");
+    CHECK(name_of({{6, 21}, 23.9999}) == "0621_2359");
+    CHECK(count(w, "0621_1220 0621_1240") == 2);
+    Folder::write("names", "0621_1219 a name that was cut\n");
+    CHECK(count(w, "@names") == 1);
+    CHECK(error_text([&] { choose_hours(w, "0621_1222"); }) == "-hours: 0621_1222 is not an hour of w.wea");
 }
 
 TEST_CASE("hours that mean nothing") {
