@@ -18,6 +18,7 @@
 
 #include "base/descriptor.h"
 #include "base/error.h"
+#include "base/failed_before.h"
 #include "base/memory.h"
 #include "base/printable.h"
 #include "base/shell.h"
@@ -71,12 +72,30 @@ void say_counted_warnings(const char* tool, bool loud) {
         if (loud && count > 1) say(tool, "warning: " + fact + " (" + std::to_string(count) + " times)");
 }
 
+bool marks_failure = false;
+
+bool stdout_is_pipe() {
+    struct stat info = {};
+    return fstat(1, &info) == 0 && S_ISFIFO(info.st_mode);
+}
+
+// In place of a further picture.
+void write_mark() {
+    if (!marks_failure || !stdout_is_pipe()) return;
+    constexpr char mark[] = "#?RADIANCE\nFAILED=\n\n";
+    try {
+        write_stdout(mark, sizeof mark - 1);
+        flush_stdout();
+    } catch (...) {}  // there is no reader
+}
+
 int run_caught(const char* tool, const std::function<int()>& body) {
     const auto failed = [&](const std::string& text, int status) {
         try {
             flush_stdout();  // what was right before the failure
         } catch (...) {}
-        say(tool, text);
+        if (!text.empty()) say(tool, text);
+        write_mark();
         return status;
     };
     try {
@@ -85,6 +104,8 @@ int run_caught(const char* tool, const std::function<int()>& body) {
         return shutdown_requested() ? 3 : status;
     } catch (const ClosedPipe&) {
         return shutdown_requested() ? 3 : 0;
+    } catch (const FailedBefore& e) {
+        return failed("", int(e.kind));
     } catch (const Error& e) {
         return failed(e.text, int(e.kind));
     } catch (const std::bad_alloc&) {
@@ -116,6 +137,8 @@ void with_enough_stack(const std::function<void()>& body) {
     else body();
 }
 }  // namespace
+
+void mark_failure() { marks_failure = true; }
 
 int run(const char* tool, const std::function<int()>& body) {
     keep_freed_memory();

@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "base/error.h"
+#include "base/failed_before.h"
 #include "base/shutdown.h"
 #include "image/file_format.h"
 #include "image/header.h"
@@ -177,6 +178,7 @@ Head read_head(Input& in, const std::string& place) {
     size_t bytes = 0;
     for (std::string line; !(line = read_line(in, place)).empty();) {
         if ((bytes += line.size() + 1) > most_header) base::fail(place, "the header is longer than 1 MiB");
+        if (line == "FAILED=") throw base::FailedBefore(place);
         parse_header_line(line, head.header, head.encoding, place);
     }
     if (head.encoding.rows && head.encoding.columns) {

@@ -38,6 +38,8 @@ def _read_one(stream: BinaryIO) -> bytearray | None:
         lines.append(line)
         if line == b"\n":
             break
+    if any(line.startswith(b"FAILED=") for line in lines):  # the program that wrote it says why
+        return None
     resolution = stream.readline()
     size = re.fullmatch(rb"-Y (\d+) \+X (\d+)\n", resolution)
     if not size or b"FORMAT=float\n" not in lines:

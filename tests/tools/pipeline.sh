@@ -52,6 +52,15 @@ check_error 'an undefined modifier is reported' 1 '^ptrace: bad.rad:2: .*glas' '
     printf "\nglas sphere s 0 0 4 0 0 0 1\n" > bad.rad; ptrace -frames 1 bad.rad > t'
 check_error 'a command of the scene does not run' 1 '^ptrace: bad.rad:1: .*-exec' '
     echo "!touch ran" > bad.rad; ptrace -frames 1 bad.rad > t; test ! -e ran'
+check 'one error of a pipe is one line, whichever program it is of, and each ends with status 1' '
+    for pipe in "ptrace bad.rad | ptaccum" "ptrace nowhere.rad | ptaccum" "ptrace -nothing | ptaccum -every 2" \
+        "render 3 | ptaccum -nothing" "{ render 3 | head -c 40000; } | ptaccum" "render 3 | ptaccum nowhere.hdr -"; do
+        { eval "$pipe | vcmetrics > rows; echo \${PIPESTATUS[*]} > ends" || :; } 2> said
+        echo "$pipe: $(cat ends said)"; [ "$(wc -l < said)" = 1 ] || exit 1; grep -q " 1$" ends || exit 1
+    done
+    { ptrace bad.rad | ptaccum -o kept.hdr || :; } 2> said; [ "$(wc -l < said)" = 1 ]'
+check 'a pipe that nothing came through says so' '
+    { : | vcmetrics || [ $? = 1 ]; } 2>&1 | grep -q "^vcmetrics: stdin: holds no picture (ptaccum -o needs -o -"'
 check 'nothing half-written is left behind' 'test ! -e twice.exr; test ! -e ran; test "$(ls -A | grep -c tmp)" -eq 0'
 check 'a full disk ends in one line and status 2' '
     s=0; render 4 | ptaccum -last > /dev/full 2> said || s=$?; test $s -eq 2; test $(wc -l < said) -eq 1'

@@ -150,13 +150,18 @@ check_error 'one that begins anew early' 1 'picture 6: begins anew after frame 4
 check 'the sums announce it to the next program' '
     ptaccum -every 4 t8.hdr | mkstream show | wc -l | grep -qx 3; ptaccum t8.hdr | grep -ac "^LASTFRAME=8" | grep -qx 9'
 check_error 'which is reported as well' 1 '^mkstream: stdin: ends after frame 4' '
-    mkstream numbers 0 4 | announce 8 | ptaccum 2> said | mkstream show'
+    mkstream numbers 0 4 | announce 8 | ptaccum > early.lux 2> said || :; mkstream show < early.lux'
+check 'but once: behind a pipe the reader fails without a word' '
+    { mkstream numbers 0 4 | announce 8 | ptaccum 2> said || :; } |
+        { mkstream show 2> said2 && exit 1; [ ! -s said2 ]; }
+    [ "$(wc -l < said)" = 1 ]'
 sum_badly() { ptaccum "$@" 2> said && return 1; true; }
-ends_with_error() { vcmetrics > t 2> said2 && return 1; grep -q "input ends inside the header" said2 &&
-        [ "$(wc -l < t)" = "$1" ]; }
+ends_with_error() { vcmetrics -W- > t 2> said2 && return 1; [ ! -s said2 ] && [ "$(wc -l < t)" = "$1" ]; }
 check 'who reads the sums of frames that are refused fails, too' '
     { mkstream frames 0 3 32 32; echo rubbish; } | sum_badly | ends_with_error 5;
     grep -q "picture 5: what follows is not a picture" said'
+check_error 'from a file with a word' 1 '^vcmetrics: sums.lux: picture 5: input ends inside the header' '
+    { mkstream frames 0 3 32 32; echo rubbish; } | ptaccum > sums.lux 2> said || :; vcmetrics -W- sums.lux > t'
 check 'also after the last one that was announced' '
     { mkstream frames 0 3 32 32 | announce 3; echo rubbish; } | sum_badly | ends_with_error 5'
 check 'and with a picture by itself' '

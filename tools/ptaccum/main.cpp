@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/failed_before.h"
 #include "base/files_read.h"
 #include "base/run.h"
 #include "base/shutdown.h"
@@ -105,6 +106,7 @@ void merge(const Options& opt, Pictures& pictures, image::Picture& first, const 
 }  // namespace
 
 int main(int argc, char** argv) {
+    base::mark_failure();
     return base::run("ptaccum", [&] {
         const auto opt = parse_options(argc, argv);
         if (!opt) return 0;

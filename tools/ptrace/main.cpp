@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "base/error.h"
+#include "base/failed_before.h"
 #include "base/files_read.h"
 #include "base/progress.h"
 #include "base/run.h"
@@ -278,5 +279,6 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    base::mark_failure();
     return base::run("ptrace", [&] { return run(argc, argv); });
 }
