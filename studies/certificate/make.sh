@@ -5,22 +5,23 @@
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 study=studies/cie171 table=studies/cie171/results.tsv
-last=$(sed -n 's/^# commit\t//p' $table 2> /dev/null || true)
-if [ -n "$last" ] &&
-    git diff --quiet "$last" -- lib $study/{skies,cases,lamps,conservation,variants,run}.py 2> /dev/null; then
-    echo "$table: newer than lib"
-else
+is_new() {  # TABLE FILE...: nothing of lib and these files has changed since the commit in the table
+    local last
+    last=$(sed -n 's/^# commit\t//p' "$1" 2> /dev/null || true)
+    [ -n "$last" ] && git diff --quiet "$last" -- lib "${@:2}" 2> /dev/null && echo "$1: newer than lib"
+}
+if ! is_new $table $study/{skies,cases,lamps,conservation,variants,run}.py; then
     python3 -B $study/reference.py > $study/reference.new && mv $study/reference.new $study/reference.tsv
     # values that are wrong stay in the table and on the page
     python3 -B $study/run.py -bin "$BIN" -size "$1" -frames "$2" > $table.new || echo "$table: values are wrong"
     mv $table.new $table
 fi
-faults=studies/certificate/mutations.tsv
-last=$(sed -n 's/^# commit\t//p' $faults 2> /dev/null || true)
-if [ -n "$last" ] && git diff --quiet "$last" -- lib studies/certificate/mutations.py 2> /dev/null; then
-    echo "$faults: newer than lib"
-else
+faults=studies/certificate/mutations.tsv widths=studies/certificate/widths.tsv
+if ! is_new $faults studies/certificate/mutations.py; then
     python3 -B studies/certificate/mutations.py > $faults.new && mv $faults.new $faults
+fi
+if ! is_new $widths studies/certificate/widths.py; then
+    python3 -B studies/certificate/widths.py -bin "$BIN" > $widths.new && mv $widths.new $widths
 fi
 python3 -B studies/certificate/measure.py -bin "$BIN"
 python3 -B studies/certificate/page.py

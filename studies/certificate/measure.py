@@ -16,9 +16,10 @@ import time
 TOP = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 sys.path.insert(0, os.path.join(TOP, "studies", "cie171"))
 from compare import table  # noqa: E402
+from facts import machine  # noqa: E402
 
 TABLE = os.path.join(TOP, "studies", "certificate", "measured.tsv")
-COLUMNS = ["what", "of", "tries", "held", "least", "seconds", "date", "commit", "command"]
+COLUMNS = ["what", "of", "tries", "held", "least", "seconds", "date", "commit", "machine", "command"]
 COVERAGE = (
     "python3 -B studies/coverage/coverage.py -bin $BIN -out $OUT/rooms -scenes 2000-2002 -seeds 16 -size 32 -frames 25 "
     "-truth tests/golden/coverage.tsv -do trace,measure,judge"
@@ -31,6 +32,10 @@ SEEDS = (
 )
 YEARS = (
     "PATH=$BIN:$PATH YEAR='Mo 8-18 1/2' POOL=40 SEEDS=4 YEARS=200 python3 -B studies/year/years.py $OUT/years office"
+)
+SENSOR_SEEDS = (
+    "for s in $(seq 14); do python3 -B studies/cie171/run.py -bin $BIN -only '5.10, 1x1, s' '5.12, 2x1, s' "
+    "'5.13, 1 m, s' -skies 5 -cells 2 -frames 17 -seed $s; done"
 )
 SIXTEEN = r"(?m)^%s(?:\t[^\t]*){6}\t(?P<percent>[\d.]+) "  # percent at the look of 17 frames
 
@@ -90,6 +95,14 @@ PARTS = [
         0,
     ),
     (
+        "the same by sensors: all points of 5.10, 5.12 and 5.13 under sky 5, 14 seeds, 65 frames",
+        "tries",
+        93,
+        SENSOR_SEEDS,
+        r"(?m)\t(?P<held>inside)\t|\t(?P<missed>outside|wrong)\t",
+        0,
+    ),
+    (
         "95 % intervals of sensors: 60 points of a room, 16 seeds, 64 frames",
         "tries",
         93,
@@ -106,7 +119,15 @@ PARTS = [
         0,
     ),
     (
-        "classes of these years: right, or said to be undecided",
+        "classes of these years: said, and right (the others are said to be undecided, or wrong: the next row)",
+        "years",
+        0,
+        YEARS,
+        r"(?m)^class: (?P<tries>\d+) tries, (?P<held>\d+) right",
+        0,
+    ),
+    (
+        "classes of these years: not wrong",
         "years",
         95,
         YEARS,
@@ -176,7 +197,7 @@ def main():
                 if found:
                     today = time.strftime("%Y-%m-%d", time.gmtime())
                     commit = git("log", "-1", "--format=%h", "--", "lib")
-                    values = [what, of, *found, "%g" % least, "%.0f" % seconds, today, commit, command]
+                    values = [what, of, *found, "%g" % least, "%.0f" % seconds, today, commit, machine(), command]
                     row = dict(zip(COLUMNS, map(str, values)))
                 else:
                     print("measure.py: not measured here: %s: %s" % (what, text.strip()[-200:]), file=sys.stderr)

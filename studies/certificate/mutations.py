@@ -15,6 +15,9 @@ import sys
 import time
 
 TOP = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+sys.path.insert(0, os.path.join(TOP, "studies", "cie171"))
+from facts import facts  # noqa: E402
+
 COMMAND = "-points ABCDEGNefimnosu -size 48 -frames 9 -skies 2 5 12 15 16 -stop -not 5.4 5.8,_rho"
 
 # words, file, text that stands there once, text in its place; ON: is this the fault?
@@ -157,10 +160,8 @@ def main():
     for number, (_, path, old, new) in enumerate(FAULTS):
         mutate(tree, number, path, old, new)
     must(["cmake", "--build", build, "-j", o.jobs, "--target", "ptrace", "ptaccum", "vcmetrics"])
-    print("# date\t%s" % time.strftime("%Y-%m-%d", time.gmtime()))
-    print("# commit\t%s" % must(["git", "-C", TOP, "log", "-1", "--format=%h", "--", "lib"]).strip())
-    print("# command\tpython3 studies/certificate/mutations.py")
-    print("# values\tpython3 studies/cie171/run.py %s" % COMMAND.replace("5.8,_rho", "'5.8, rho'"))
+    values = "python3 studies/cie171/run.py " + COMMAND.replace("5.8,_rho", "'5.8, rho'")
+    facts("python3 studies/certificate/mutations.py", values=values)
     print("fault\tfile\tcase\tpoint\tsky\tderived\tvalue\terrors\tvalues\tseconds", flush=True)
     for number, (words, path, _, _) in enumerate(FAULTS):
         if o.only and str(number) not in o.only.split(","):

@@ -15,6 +15,7 @@ import sys
 import tempfile
 import time
 
+from facts import facts
 from variants import CASES, pi
 
 T95 = {7: 2.365, 15: 2.131}  # Student's t, two-sided, by degrees of freedom
@@ -58,14 +59,15 @@ def write_skies(folder, skies):
         )
 
 
+def fisheye_view(p, n):
+    # ten micrometres off the wall: closer than a micrometre a ray at the rim of the picture would not meet it
+    eye = [a + 1e-5 * b for a, b in zip(p, n)]
+    return "-vta -vh 180 -vv 180 -vp %s -vd %s -vu %s" % (numbers(eye), numbers(n), numbers(up_for(n)))
+
+
 def fisheyes(o, case, sensors, skies, folder):
     """Ev with -ci of each view and sky: (point, sky) -> value, low, high."""
-    # ten micrometres off the wall: closer than a micrometre a ray at the rim of the picture would not meet it
-    views = [
-        "rvu -vta -vh 180 -vv 180 -vp %s -vd %s -vu %s"
-        % (numbers([a + 1e-5 * b for a, b in zip(p, n)]), numbers(n), numbers(up_for(n)))
-        for p, n in sensors.values()
-    ]
+    views = ["rvu " + fisheye_view(p, n) for p, n in sensors.values()]
     write(folder, "all.vf", "\n".join(views) + "\n")
     which = " ".join("-sky s%s.rad" % sky for sky in skies) if case.skies else ""
     out = shell(
@@ -194,12 +196,8 @@ def options():
 
 def main():
     o = options()
-    words = ["git", "log", "-1", "--format=%h", "--", "lib"]
-    git = subprocess.run(words, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
-    print("# date\t%s" % time.strftime("%Y-%m-%d", time.gmtime()))
-    print("# commit\t%s" % (git.stdout.decode().strip() or "unknown"))
-    print(
-        "# command\tpython3 studies/cie171/run.py "
+    facts(
+        "python3 studies/cie171/run.py "
         + " ".join(
             "'%s'" % a if " " in a else a
             for k, a in enumerate(sys.argv[1:], 1)
