@@ -19,8 +19,6 @@ namespace {
 
 using generators::PerezShape;
 
-// Lumens per watt of RADIANCE's white, equal energy from 380 to 780 nm (its WHTEFFICACY).
-constexpr double white_efficacy = 179;
 constexpr double ground_reflectance = .2;           // gendaylit's, without -g
 constexpr double usual_dew_point_c = 10.97353115;   // gendaylit's, without -d: 2 cm of water
 constexpr double sun_steradian_of_ground = 6.8e-5;  // gendaylit's, for the sun's part of the ground's radiance

@@ -10,6 +10,8 @@
 namespace weather {
 
 constexpr double sun_diameter_deg = .533;
+// Lumens per watt of RADIANCE's white, equal energy from 380 to 780 nm (its WHTEFFICACY).
+constexpr double white_efficacy = 179;
 constexpr double most_wm2 = 1367;  // the solar constant, as Perez has it
 
 // Floats, because the scene text has as many digits as bring them back.  x east, y north, z up.

@@ -37,6 +37,13 @@ check 'objects and materials are those that the scene has there' '
 check 'the sun stands where the sky says' '
     grep -q "sun: 16.8° above the horizon, 213.0° from north" report.html
     grep -q "sky_1400.rad: gensky 12 21 14" report.html'
+check 'an hour of a weather file has its irradiances, and the illuminances that its light has' '
+    printf "place P\nlatitude 39.74\nlongitude 105.18\ntime_zone 105\nsite_elevation 0\n" > hour.wea
+    printf "weather_data_file_units 1\n12 21 12.5 700 90\n" >> hour.wea
+    ptrace -vf view.vf -x 32 -y 32 -frames 3 -wea hour.wea materials.rad layout.rad | ptaccum |
+        vcmetrics -metrics Ev -report hour.html > lines.tsv
+    grep -q "21 Dec 12:30 UTC-7" hour.html; grep -q "weather file: 700 90 W/m2" hour.html
+    grep -q "sun and sky: 66[0-9]* 1[0-9]* lx" hour.html'
 check 'files have the hashes of sha256sum' '
     for f in office.regions materials.rad layout.rad room.rad sky_1400.rad; do
         grep -q "<td>$f</td><td>$(sha256sum < $f | cut -c 1-64)</td>" report.html

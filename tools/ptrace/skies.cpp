@@ -61,6 +61,10 @@ HourSkies skies_of_hours(const std::string& weather_file, const std::string& hou
                                  minute % 60, -w.meridian_deg / 15 + 0.),
                      fmt::format("SUN= {:.2f} {:.2f}", sun.altitude_deg, sun.azimuth_deg),
                      fmt::format("IRRADIANCE= {:g} {:g}", h.direct_wm2, h.diffuse_wm2)};
+        if (light)
+            sky.lines.push_back(fmt::format("ILLUMINANCE= {:.0f} {:.0f}",
+                                            weather::white_efficacy * light->sun_irradiance,
+                                            weather::white_efficacy * light->sky_irradiance));
         all.skies.push_back(std::move(sky));
     }
     all.note = fmt::format("{}: hours: {} of {}, {} dark; {}{}", weather_file, choice.hours.size(), choice.whole, dark,

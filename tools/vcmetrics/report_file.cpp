@@ -187,9 +187,25 @@ void add_drawings(const image::Picture& picture, Page& page) {
         page.legend.ticks.emplace_back(scale.place(tick), fmt::format("{:g}", tick));
 }
 
+// The lines that ptrace -wea writes of an hour, in words.
+std::vector<std::string> hour_of(const image::Header& header) {
+    constexpr std::pair<const char*, const char*> words[] = {
+        {"TIME= ", "{}"},
+        {"SUN= ", "sun: {} (altitude, and azimuth from north over east, in degrees)"},
+        {"IRRADIANCE= ", "weather file: {} W/m2 (direct normal, diffuse horizontal)"},
+        {"ILLUMINANCE= ", "sun and sky: {} lx (the same by Perez' efficacies, which the open sky has to 1e-4)"}};
+    std::vector<std::string> lines;
+    for (const auto& [name, text] : words)
+        for (const std::string& line : header.lines)
+            if (base::begins_with(line, name))
+                lines.push_back(fmt::format(fmt::runtime(text), line.substr(std::strlen(name))));
+    return lines;
+}
+
 // Lines by which a sky was made, and where the sun stands.
 void add_sky(const Options& o, const std::vector<std::string>& files, const image::Header& header, Page& page) {
     if (!header.sky_name.empty()) page.sky.push_back(header.sky_name);
+    for (std::string& line : hour_of(header)) page.sky.push_back(std::move(line));
     if (o.scene.empty()) return;
     for (const std::string& file : files) {
         if (!base::ends_with(file, ".rad") && !base::ends_with(file, ".sky")) continue;
