@@ -119,6 +119,14 @@ std::string one_line(std::string text) {
     return text;
 }
 
+void add_seed(uint64_t seed, const std::string& line, const std::string& where, Header& h) {
+    bool told = h.seed == seed;
+    for (const auto& other : h.other_seeds) told = told || other.first == seed;
+    if (told) base::fail(where, "header line \"" + line + "\" comes twice");
+    if (h.seed) h.other_seeds.push_back({seed, {}});
+    else h.seed = seed;
+}
+
 }  // namespace
 
 void parse_header_line(const std::string& line, Header& h, Encoding& e, const std::string& where) {
@@ -163,12 +171,7 @@ void parse_header_line(const std::string& line, Header& h, Encoding& e, const st
     } else if ((t = value_of(line, "BigEndian="))) {
         e.big_endian = integer<int>(line, *t, where) != 0;
     } else if ((t = value_of(line, "SEED="))) {
-        const auto seed = integer<uint64_t>(line, *t, where);
-        bool told = h.seed == seed;
-        for (const auto& other : h.other_seeds) told = told || other.first == seed;
-        if (told) base::fail(where, "header line \"" + line + "\" comes twice");
-        if (h.seed) h.other_seeds.push_back({seed, {}});
-        else h.seed = seed;
+        add_seed(integer<uint64_t>(line, *t, where), line, where, h);
     } else if ((t = value_of(line, "FRAME="))) {
         h.frame = frame_number(line, *t, where);
     } else if ((t = value_of(line, "FRAMES="))) {
@@ -189,6 +192,8 @@ void parse_header_line(const std::string& line, Header& h, Encoding& e, const st
         h.sky_name = plain_name(*t, where);
     } else if ((t = value_of(line, "SHARED_PATHS="))) {
         h.shared_paths = plain_name(*t, where);
+    } else if ((t = value_of(line, "UNKNOWN="))) {
+        h.unknown = one_line(*t);
     } else if ((t = value_of(line, "GRID="))) {
         const Grid grid = parse_grid(*t, where);
         if (grid.first != count_of(h.grids))
@@ -212,6 +217,7 @@ std::vector<std::string> header_lines(const Header& h) {
     if (!h.view_name.empty()) out.push_back("VIEWNAME=" + h.view_name);
     if (!h.sky_name.empty()) out.push_back("SKYNAME=" + h.sky_name);
     if (!h.shared_paths.empty()) out.push_back("SHARED_PATHS=" + h.shared_paths);
+    if (!h.unknown.empty()) out.push_back("UNKNOWN=" + one_line(h.unknown));
     for (const Grid& grid : h.grids) out.push_back("GRID=" + to_text(grid));
     if (h.pixel_aspect != 1) out.push_back(fmt::format("PIXASPECT={}", h.pixel_aspect));
     if (h.edit) out.push_back(one_line(fmt::format("EDIT={} {}", *h.edit, h.edited)));

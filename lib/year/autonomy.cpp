@@ -10,7 +10,7 @@
 namespace year {
 namespace {
 
-constexpr double rounding = 1e-9;
+constexpr double rounding = 1e-9, any_lux = 1e9;
 
 // Hours of a sensor from `from` on and below `to`, times `scale`.
 Between count(const std::vector<uncertainty::Uncertain>& hours, double from, double to, double alpha, double scale) {
@@ -23,7 +23,8 @@ std::vector<uncertainty::Uncertain> hours_of(const Grid& grid, size_t sensor) {
     std::vector<uncertainty::Uncertain> hours;
     for (const GridHour& h : grid.hours) {
         const Lux& e = h.sensors[sensor];
-        hours.push_back({double(e.value), double(e.error), 0, 0, double(e.degrees)});
+        if (std::isnan(e.value)) hours.push_back({0, 0, any_lux});
+        else hours.push_back({double(e.value), double(e.error), 0, 0, double(e.degrees)});
     }
     return hours;
 }
@@ -65,7 +66,7 @@ GridYear judge(const Grid& grid, const Grid* direct, const Goals& goals, double 
     GridYear y;
     y.name = grid.name;
     y.hours = grid.hours.size();
-    for (const GridHour& h : grid.hours) y.dark += is_dark(h);
+    for (const GridHour& h : grid.hours) y.dark += is_dark(h), y.missing += is_missing(h);
     if (direct) y.sun_hours = direct->hours.size();
     for (size_t i = 0; i < grid.sensors(); ++i) y.sensors.push_back(judge_sensor(grid, direct, i, goals, alpha));
     y.autonomy = mean(y.sensors, [](const SensorYear& s) { return s.autonomy; });

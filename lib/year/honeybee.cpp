@@ -16,6 +16,7 @@ namespace year {
 namespace {
 
 bool is_dark(const Hour& h) { return h.dark; }
+bool is_missing(const Hour& h) { return h.is_missing; }
 
 template <class Hours>
 bool same_hours(const Hours& a, const Hours& b) {
@@ -51,6 +52,8 @@ std::vector<size_t> write_hours(const std::string& folder, const std::vector<Ite
     for (size_t i = 0; i < items[0].hours.size(); ++i) {
         const weather::Time& t = items[0].hours[i].time;
         if (t.date.in_leap_year() == weather::leap_day) continue;
+        const auto missing = [i](const Item& item) { return is_missing(item.hours[i]); };
+        if (std::any_of(items.begin(), items.end(), missing)) continue;
         const double of_year = 24 * (t.date.of_year() - 1) + t.hour;
         schedule[2 * size_t(of_year)] = '1';
         if (std::all_of(items.begin(), items.end(), [i](const Item& item) { return is_dark(item.hours[i]); })) continue;

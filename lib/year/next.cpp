@@ -30,6 +30,7 @@ std::optional<Need> need_of(const Hour& h, double limit) {
     constexpr int most_larger = 4, most_times = 4;  // in one round: noise of few frames is itself not well known
     double frames = 8;                              // and frame 0
     while (frames < h.frames) frames *= 2;
+    if (h.is_missing) return std::nullopt;
     if (!h.is_known) {
         frames = std::max(2 * frames, double(uncertainty::least_frames));
         return Need{h, limit, frames + 1, 1, frames + 1 + before_frame_1, {h.dgp.value, 0, 0}};

@@ -48,6 +48,7 @@ void add_hours(Canvas& c, const View& view, const Rows& rows, int wide_days, int
     const int width = wide_days * day_width, end = left + days * day_width;
     c.of(nothing).push_back({left, y0, days * day_width, rows.height()});
     for (const Hour& h : view.hours) {
+        if (h.is_missing) continue;
         const bool open = std::any_of(limits.begin(), limits.end(), [&](double limit) { return holds(h, limit); });
         const int x = x_of(h.time.date) - (width - day_width) / 2, x0 = std::max(left, x),
                   x1 = std::min(end, x + width);

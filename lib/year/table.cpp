@@ -81,7 +81,8 @@ void require_interval(const weather::Time& time, bool has_one) {
 Grid grid_of(const std::string& name, GridHours& hours) {
     Grid grid{name, {}};
     for (auto& [minute, h] : hours) {
-        for (const Lux& e : h.sensors) require_interval(h.time, e.error >= 0 && std::isfinite(e.value));
+        for (const Lux& e : h.sensors)
+            if (!is_missing(h)) require_interval(h.time, e.error >= 0 && std::isfinite(e.value));
         grid.hours.push_back(std::move(h));
         if (grid.hours.back().sensors.size() != grid.sensors())
             base::fail(name, weather::name_of(grid.hours.back().time) + " has other sensors than " +
@@ -99,6 +100,10 @@ bool is_dark(const GridHour& h) {
     return std::all_of(h.sensors.begin(), h.sensors.end(), [](const Lux& e) { return e.value == 0; });
 }
 
+bool is_missing(const GridHour& h) {
+    return std::all_of(h.sensors.begin(), h.sensors.end(), [](const Lux& e) { return std::isnan(e.value); });
+}
+
 Tables read_tables(const std::vector<std::string>& paths) {
     Tables all;
     Reading read;
@@ -108,7 +113,7 @@ Tables read_tables(const std::vector<std::string>& paths) {
         bool is_known = false;
         for (const auto& [minute, h] : hours) {
             if (!std::isfinite(h.dgp.value)) base::fail(weather::name_of(h.time), "has no value");
-            is_known = is_known || h.is_known || h.dgp.value >= 1;
+            is_known = is_known || h.is_known || h.is_missing || h.dgp.value >= 1;
             all.views.back().hours.push_back(h);
         }
         require_interval(all.views.back().hours.front().time, is_known);

@@ -19,6 +19,7 @@ struct Hour {
     double frames = 0, pixels = pixels_of_64;
     double least_pixels = pixels_of_64;  // of the smallest of its pictures
     bool dark = false;                   // no light at all
+    bool is_missing = false;             // the weather file has no values (rows of nan): any DGP is possible
     bool is_known = true;                // false: no interval came with so few frames, so that any value is possible
     double low() const, high() const;    // of the 95 % interval, with the pixels' error
 };
@@ -39,6 +40,7 @@ struct GridHour {
 };
 
 bool is_dark(const GridHour& hour);
+bool is_missing(const GridHour& hour);
 
 // Illuminances of sensors, at least one in at least one hour.
 struct Grid {

@@ -88,6 +88,12 @@ Hour hour_of(const Columns& c, const report::NumberRow& row, const std::string& 
     if (c.frame) h.frames = std::atof(row.labels[*c.frame].c_str());
     if (cell(c.pixels) > 0) h.pixels = *cell(c.pixels);
     h.least_pixels = h.pixels;
+    h.is_missing = c.ev ? std::isnan(*cell(c.ev)) : std::isnan(h.dgp.value);
+    if (h.is_missing) {
+        h.is_known = false;
+        h.dgp = {0, 0, 1};
+        return h;
+    }
     if (h.dark || !c.low || !c.high) return h;
     const report::NumberError e = error_of(c, row, c.name, place);
     const double middle = (*cell(c.low) + *cell(c.high)) / 2;

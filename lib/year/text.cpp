@@ -29,9 +29,12 @@ std::string class_text(const Verdict& v) {
 
 std::string show(const Hour& h, const std::string& command) { return command + " -hours " + name_of(h.time); }
 
+// The end of the line of hours.
+std::string missing_text(size_t hours) { return hours ? fmt::format(", {} without values\n", hours) : "\n"; }
+
 std::string five_lines(const View& view, const Verdict& v, const std::string& command) {
     std::string text = v.view.empty() ? "" : v.view + "\n";
-    text += fmt::format("hours     {}, {} dark, {} undecided\n", v.hours, v.dark, v.undecided);
+    text += fmt::format("hours     {}, {} dark, {} undecided", v.hours, v.dark, v.undecided) + missing_text(v.missing);
     text += fmt::format("above     0.35: {}   0.40: {}   0.45: {}\n", count_text(v.above[0]), count_text(v.above[1]),
                         count_text(v.above[2]));
     text += fmt::format("DGPe5     {:.3f} ({:.3f} to {:.3f}): EN 17037 {}\n", v.exceeded.value, v.exceeded.low,
@@ -97,8 +100,8 @@ std::string worst_lines(const std::vector<View>& views, size_t n, const std::str
 }
 
 std::string summary(const GridYear& y, const Goals& g) {
-    std::string text =
-        fmt::format("{}\nhours     {}, {} dark, {} sensors\n", y.name, y.hours, y.dark, y.sensors.size());
+    std::string text = fmt::format("{}\nhours     {}, {} dark, {} sensors", y.name, y.hours, y.dark, y.sensors.size()) +
+                       missing_text(y.missing);
     text += fmt::format("DA        {} of the hours have {:g} lx, mean of the sensors\n", percent_text(y.autonomy),
                         g.autonomy_lux);
     text += fmt::format("sDA       {} of the sensors have {:g} lx in {:g} % of the hours\n", percent_text(y.spatial),

@@ -31,6 +31,7 @@ Verdict judge(const View& view, double alpha) {
     v.hours = view.hours.size();
     const auto count = [&](auto&& is) { return size_t(std::count_if(view.hours.begin(), view.hours.end(), is)); };
     v.dark = count([](const Hour& h) { return h.dark; });
+    v.missing = count([](const Hour& h) { return h.is_missing; });
     v.undecided = count([](const Hour& h) {
         return std::any_of(limits.begin(), limits.end(), [&](double limit) { return holds(h, limit); });
     });

@@ -26,6 +26,7 @@ struct Verdict {
     std::string view;
     size_t hours = 0, dark = 0;
     size_t undecided = 0;          // hours whose interval holds a limit
+    size_t missing = 0;            // of these, hours without values
     std::array<Between, 3> above;  // hours above each limit
     Between exceeded;              // DGPe5: at most 5 % of the hours are above it
     int best = 0, worst = 0;       // class: equal where it is decided

@@ -51,6 +51,11 @@ def test_its_table(year):
     assert list(hours.index.hour) == [5, 9, 12] and hours["frame"].tolist() == [0, 3, 3]
 
 
+def test_a_scene_with_a_sky_is_an_error(weather):
+    with pytest.raises(luxpipe.Error, match="sky_1400.rad:.* beside that of the weather file; -second-sky allows it"):
+        luxpipe.year([*SCENE[:2], luxpipe.examples / "office" / "sky_1400.rad"], VIEW, weather, size=24)
+
+
 def test_errors_are_ptraces_line(weather):
     with pytest.raises(luxpipe.Error, match="ptrace: -hours: .* means no hour"):
         luxpipe.year(SCENE[:2], VIEW, weather, hours="Dec", size=24)

@@ -101,8 +101,21 @@ check 'what is left out of a sky, and light without a sun, is told once by its h
 check 'the sun is that of the year in -hours' '
     lux -wea lit.wea -hours "2023 0321" 2> said | grep ^0321_1230 > of_2023
     grep -q "the sun is that of 2023; 1 January is a Sunday" said; ! grep -qFf of_2023 lux.tsv'
-check_error 'a missing value is an error where the sun is up' 1 \
+check 'hours without values are counted, and are rows of nan' '
+    render -wea y.wea > with.str 2> said
+    grep -q "^ptrace: y.wea: hours: 5 of 5, 2 dark, 1 without values; " said
+    ptaccum < with.str | vcmetrics -metrics Ev,DGPf,classf -ci 95 -last > t.tsv
+    grep -P "\t1222_1330\tnan\tnan\tnan\tnan\tnan\tnan\tunknown\t" t.tsv
+    echo "0 0 1 0 0 1" > one.pts
+    ptrace -points one.pts -wea y.wea -frames 3 $scene 2> said | ptaccum | vcmetrics -each > e.tsv
+    grep -P "^1222_1330\t.*\tnan\tnan\tnan\t" e.tsv'
+check 'they are undecided in a year' '
+    ptaccum < with.str | vcmetrics -metrics Ev,DGPf,DGP.px,DGPf.px,pixels -ci 95 -last > t.tsv
+    vcyear t.tsv > year; grep -qE "^hours     5, 2 dark, [1-3] undecided, 1 without values$" year
+    ! vcyear -next t.tsv | grep 1222_1330
+    vcyear e.tsv > year; grep -qE "^hours     5, 2 dark, 1 sensors, 1 without values$" year'
+check_error 'but one that is named is an error' 1 \
     '^ptrace: y.wea:11: the direct normal irradiance of 1222_1330 is 9999 W/m2: missing, or wrong$' \
-    'render -wea y.wea > out.str'
+    'render -wea y.wea -hours 1222_1330 > out.str'
 check_error '-hours needs weather' 1 '^ptrace: -hours: needs a weather file: -wea$' 'render -hours Mo > out.str'
 check_error 'skies are files or hours' 1 '^ptrace: -wea: has its own skies' 'render -wea y.wea -sky y.rad > out.str'

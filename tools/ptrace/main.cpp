@@ -39,7 +39,7 @@ std::unique_ptr<render::Renderer> start(const std::string& device) {
 }
 
 size_t pictures(const Options& opt) {
-    const auto lit = std::count_if(opt.skies.begin(), opt.skies.end(), [](const Sky& s) { return !s.dark; });
+    const auto lit = std::count_if(opt.skies.begin(), opt.skies.end(), [](const Sky& s) { return !s.is_black(); });
     return opt.views.size() * (opt.skies.empty() ? 1 : size_t(lit));
 }
 
@@ -165,11 +165,11 @@ bool apply_edits(Run& run, size_t i) {
 
 // For a dark hour no scene is loaded.
 image::Picture start_picture(const Run& run, const Options& opt, const Sky& sky, size_t i) {
-    const render::RenderView& v = sky.dark ? opt.views[i].render_view : run.session->view();
+    const render::RenderView& v = sky.is_black() ? opt.views[i].render_view : run.session->view();
     image::Picture picture;
     picture.width = v.nx;
     picture.height = v.ny;
-    if (!sky.dark)
+    if (!sky.is_black())
         for (const std::string& line : run.session->history()) image::add_history(picture.header, line);
     image::add_history(picture.header, opt.command);
     for (const std::string& line : sky.lines) image::add_history(picture.header, line);
@@ -177,9 +177,10 @@ image::Picture start_picture(const Run& run, const Options& opt, const Sky& sky,
     picture.header.grids = opt.grids;
     picture.header.view_name = opt.views[i].name;
     picture.header.sky_name = sky.name;
+    picture.header.unknown = sky.unknown;
     picture.header.seed = opt.render.seed;
     picture.header.exposure = opt.exposure;
-    if (sky.dark) return picture;
+    if (sky.is_black()) return picture;
     picture.header.fingerprint = run.session->renderer().fingerprint();
     picture.header.direct_frames = run.session->renderer().direct_frames();
     if (is_live(opt)) picture.header.edit = run.edits, picture.header.edited = run.edited;
@@ -232,7 +233,7 @@ int render_all(Options options) {
         const bool last = &sky == &skies.back();
         if (base::shutdown_requested()) break;
         if (sky.seed) run.opt.render.seed = *sky.seed;
-        if (sky.dark && !only_rule) {
+        if (sky.is_black() && !only_rule) {
             if (!opt.rule_for.empty() && last) write_rule(opt);
             render_dark(run, sky);
             continue;

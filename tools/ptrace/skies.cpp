@@ -11,7 +11,9 @@
 #include "weather/clock.h"
 #include "weather/sky.h"
 
-Sky sky_of_file(const std::string& path) { return {std::filesystem::path(path).stem(), path, std::nullopt, false, {}}; }
+Sky sky_of_file(const std::string& path) {
+    return {std::filesystem::path(path).stem(), path, std::nullopt, false, "", {}};
+}
 
 // Noise differs from hour to hour, and no two runs of different -seed share any.
 static uint64_t seed_of(const weather::Time& time, uint64_t seed) {
@@ -45,17 +47,23 @@ HourSkies skies_of_hours(const std::string& weather_file, const std::string& hou
     if (weather::has_sun(choice.year)) w.year = choice.year;
     check_clock(w);
     HourSkies all;
-    size_t dark = 0;
+    size_t dark = 0, unknown = 0;
     bool by_one_year = false;
     for (const size_t i : choice.hours) {
         const weather::Hour& h = w.hours[i];
         const weather::Sun sun = weather::sun_of(w, h);
-        const auto light = weather::light_of(w, h);
-        Sky sky{weather::name_of(h.time), "", seed_of(h.time, seed), !light, {}};
-        if (light) sky.file = weather::sky_text(w, h, *light);
-        warn_of(w, h, sun, light);
+        Sky sky{weather::name_of(h.time), "", seed_of(h.time, seed), false, "", {}};
+        if (weather::lacks_values(w, h) && !choice.named.count(i)) {
+            sky.unknown = fmt::format("no irradiance in line {} of the weather file", h.line);
+            ++unknown;
+        } else {
+            const auto light = weather::light_of(w, h);
+            if (light) sky.file = weather::sky_text(w, h, *light);
+            warn_of(w, h, sun, light);
+            sky.dark = !light;
+            dark += sky.dark;
+        }
         by_one_year |= h.year == 0;
-        dark += sky.dark;
         const int minute = h.time.minute_of_year() % 1440;
         sky.lines = {fmt::format("TIME= {} {:02}:{:02} UTC{:+g}", weather::day_text(h.time.date), minute / 60,
                                  minute % 60, -w.meridian_deg / 15 + 0.),
@@ -67,7 +75,8 @@ HourSkies skies_of_hours(const std::string& weather_file, const std::string& hou
                                             weather::white_efficacy * light->sky_irradiance));
         all.skies.push_back(std::move(sky));
     }
-    all.note = fmt::format("{}: hours: {} of {}, {} dark; {}{}", weather_file, choice.hours.size(), choice.whole, dark,
+    all.note = fmt::format("{}: hours: {} of {}, {} dark{}; {}{}", weather_file, choice.hours.size(), choice.whole,
+                           dark, unknown ? fmt::format(", {} without values", unknown) : "",
                            by_one_year ? fmt::format("the sun is that of {}; ", w.year) : "", choice.note);
     return all;
 }

@@ -11,7 +11,10 @@ struct Sky {
     std::string file;                // as scene::read_more() takes it; empty: none
     std::optional<uint64_t> seed;    // of its frames; none: the option's
     bool dark = false;               // an hour without daylight: one black frame
+    std::string unknown;             // why there is no light to render by: a black frame that says so; else empty
     std::vector<std::string> lines;  // of its header
+
+    bool is_black() const { return dark || !unknown.empty(); }  // nothing is rendered
 };
 
 // "skies/sky_0900.rad" has the name "sky_0900".

@@ -132,7 +132,8 @@ GridStep step(const Options& o, GridState s, image::Picture& p, int64_t frame, d
     const std::vector<std::string> names = s.names;
     if (first) s = begin(o, h, std::move(s.progress));
     if (s.names != names && !o.like_rtrace) text += header_line(s.names, o.format);
-    const std::vector<float> grey = image::grey_of(p.rgb);
+    std::vector<float> grey = image::grey_of(p.rgb);
+    if (!h.unknown.empty()) grey.assign(grey.size(), std::numeric_limits<float>::quiet_NaN());
     const int64_t n = h.frames.value_or(0);
     if (first || n <= s.parts.frames() || other_sky) s.parts.restart(), s.held = 0;
     if (!p.parts.empty()) s.parts.resume(p.parts, grey, n);

@@ -5,8 +5,10 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 
 #include "base/error.h"
+#include "glare/formulas.h"
 #include "image/header.h"
 
 using namespace glare;
@@ -31,17 +33,25 @@ Number difference_of(const Options& o, const uncertainty::Estimate& d) {
     return {d.value, d.value, d.around(1 - o.ci.value_or(.95), d.frames), {d.error_known_after(d.frames), d.degrees}};
 }
 
+// Of a picture without values.
+Number unknown_number(const Column& c) {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    Number n{c.words ? double(dgp_class(nan)) : nan, nan, {nan, nan}, {}};
+    n.error.error = nan;
+    return n;
+}
+
 Row row_of(const Options& o, const RunState& run, const image::Header& header, const PicturePlace& place,
            Measurement m) {
     Row out;
     out.file = place.file, out.view = header.view_name, out.sky = header.sky_name, out.edit = header.edit;
     out.frame = frame_number(header, place);
-    out.may_brighten = header.frames == 0 && header.last_frame != 0;
+    out.may_brighten = !header.unknown.empty() || (header.frames == 0 && header.last_frame != 0);
     out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - run.start).count();
     for (size_t k = 0; k < run.plan.columns.size(); ++k) {
         const Column& c = run.plan.columns[k];
         const uncertainty::Estimate& e = run.sum.look.estimate(k);
-        out.numbers.push_back(number_of(o, c, e, m, out.frame));
+        out.numbers.push_back(header.unknown.empty() ? number_of(o, c, e, m, out.frame) : unknown_number(c));
         if (!o.against.empty()) out.differences.push_back(difference_of(o, run.edits.difference(k)));
         if (c.printed && e.unreliable) out.heavy_tailed += (out.heavy_tailed.empty() ? "" : " ") + c.name;
     }
