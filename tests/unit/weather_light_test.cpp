@@ -118,7 +118,43 @@ void check_near(double is, double expected, double relative, double absolute = 0
     REQUIRE(std::fabs(is - expected) <= relative * std::fabs(expected) + absolute);
 }
 
+// To the sun by Meeus' series of another length (Astronomical Algorithms, chapters 7, 12 and 25), at a moment of UTC.
+Vec3 meeus(const Weather& w, int year, Date date, double utc_h) {
+    const int before = (14 - date.month) / 12, y = year + 4800 - before, m = date.month + 12 * before - 3;
+    const int day = date.day + (153 * m + 2) / 5 + 365 * y + y / 4 - y / 100 + y / 400 - 32045;
+    const double days = day - .5 + utc_h / 24 - 2451545, t = days / 36525;
+    const double anomaly = (357.52911 + 35999.05029 * t) * degree, node = (125.04 - 1934.136 * t) * degree;
+    const double centre = (1.914602 - .004817 * t) * std::sin(anomaly) + .019993 * std::sin(2 * anomaly) +
+                          .000289 * std::sin(3 * anomaly);
+    const double at = (280.46646 + 36000.76983 * t + centre - .00569 - .00478 * std::sin(node)) * degree;
+    const double tilt = (23.4392911 - .0130042 * t + .00256 * std::cos(node)) * degree;
+    const double ascension = std::atan2(std::cos(tilt) * std::sin(at), std::cos(at));
+    const double sine = std::sin(tilt) * std::sin(at), cosine = std::sqrt(1 - sine * sine);
+    const double angle = (280.46061837 + 360.98564736629 * days - w.longitude_deg) * degree - ascension;
+    const double north = w.latitude_deg * degree;
+    return {-cosine * std::sin(angle), std::cos(north) * sine - std::sin(north) * cosine * std::cos(angle),
+            std::sin(north) * sine + std::cos(north) * cosine * std::cos(angle)};
+}
+
 }  // namespace
+
+TEST_CASE("the sun of any year from 1901 to 2099 stands within .02 degrees of Meeus'") {
+    std::mt19937 random(12);
+    double worst = 0;
+    for (int i = 0; i < 3000; ++i) {
+        Line line(random);
+        line.h.year = 1901 + int(random() % 199);
+        if (line.h.time.date.in_leap_year() == leap_day) continue;
+        line.w.step_min = 0;  // where it stands at this moment
+        const Sun sun = sun_of(line.w, line.h);
+        const double up = sun.altitude_deg * degree, east = sun.azimuth_deg * degree;
+        const Vec3 ours{std::cos(up) * std::sin(east), std::cos(up) * std::cos(east), std::sin(up)};
+        const Vec3 theirs = meeus(line.w, line.h.year, line.h.time.date, line.h.time.hour + line.w.meridian_deg / 15);
+        worst = std::fmax(worst, length(ours - theirs) / degree);
+    }
+    CHECK(worst < .02);
+    MESSAGE(worst, " degrees at most");
+}
 
 TEST_CASE("2,000 lines have Perez' illuminances, light in each, and gendaylit -y's sun and sky up to a factor") {
     std::mt19937 random(59);
