@@ -52,12 +52,13 @@ HourSkies skies_of_hours(const std::string& weather_file, const std::string& hou
     for (const size_t i : choice.hours) {
         const weather::Hour& h = w.hours[i];
         const weather::Sun sun = weather::sun_of(w, h);
+        std::optional<weather::HourLight> light;
         Sky sky{weather::name_of(h.time), "", seed_of(h.time, seed), false, "", {}};
         if (weather::lacks_values(w, h) && !choice.named.count(i)) {
             sky.unknown = fmt::format("no irradiance in line {} of the weather file", h.line);
             ++unknown;
         } else {
-            const auto light = weather::light_of(w, h);
+            light = weather::light_of(w, h);
             if (light) sky.file = weather::sky_text(w, h, *light);
             warn_of(w, h, sun, light);
             sky.dark = !light;
