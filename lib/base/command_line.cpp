@@ -16,6 +16,7 @@
 
 #include "base/edit_distance.h"
 #include "base/error.h"
+#include "base/find_file.h"
 #include "base/options.h"
 #include "base/printable.h"
 #include "base/run.h"
@@ -61,7 +62,7 @@ struct ArgCursor {
         const std::string name = word().substr(1);
         if (word()[0] == '@') {
             constexpr size_t limit = size_t(1) << 20;
-            return read_text_file(name, limit, scene_file);
+            return read_text_file(scene_file.empty() ? name : beside(name, scene_file + ":1"), limit, scene_file);
         }
         if (!scene_file.empty()) fail(scene_file, "a scene's file may not ask for an environment variable");
         if (const char* value = std::getenv(name.c_str())) return value;

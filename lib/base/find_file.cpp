@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Search along RAYPATH.
+// Search beside the file that names another one, and along RAYPATH.
 #include "base/find_file.h"
 #include <sys/stat.h>
 #include <unistd.h>
@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "base/files_read.h"
 #include "base/open_file.h"
+#include "base/same_content.h"
 #include "base/printable.h"
 #include "base/split.h"
 
@@ -56,8 +57,8 @@ static std::string beside_scene(const std::string& name, const ReadOptions& opti
     return "";
 }
 
-static std::string look_as_written(const std::string& name, const ReadOptions& options) {
-    if (name.empty()) return "";
+// Where RADIANCE's programs look.
+static std::string along_raypath(const std::string& name, const ReadOptions& options) {
     if (name[0] == '~') {
         const size_t slash = name.find('/');
         const char* home = std::getenv("HOME");
@@ -65,15 +66,40 @@ static std::string look_as_written(const std::string& name, const ReadOptions& o
         const std::string path = home + name.substr(slash);
         return readable(path) ? path : "";
     }
-    if (name[0] == '/') return readable(name) ? name : "";
-    if ((name[0] == '.' || options.raypath.empty()) && readable(name)) return name;
-    if (name[0] != '.')
-        for (const std::string& directory : options.raypath) {
-            const bool here = directory.empty() || directory == ".";
-            const std::string path = here ? name : directory + "/" + name;
-            if (readable(path)) return path;
-        }
-    return beside_scene(name, options);
+    if (name[0] == '/' || name[0] == '.' || options.raypath.empty()) return readable(name) ? name : "";
+    for (const std::string& directory : options.raypath) {
+        const bool here = directory.empty() || directory == ".";
+        const std::string path = here ? name : directory + "/" + name;
+        if (readable(path)) return path;
+    }
+    return "";
+}
+
+// A place without a line is no file's.
+static std::string in_folder_of(const std::string& place, const std::string& name) {
+    const size_t line = place.rfind(':');
+    if (line == std::string::npos || name.empty() || name[0] == '/' || name[0] == '~') return "";
+    const size_t slash = place.rfind('/', line);
+    return slash == std::string::npos ? name : place.substr(0, slash + 1) + name;
+}
+
+// The file beside the one that names it, if there is one, else the one that RADIANCE finds.
+static const std::string& first_of(const std::string& beside, const std::string& other, const std::string& name,
+                                   const std::string& place) {
+    if (beside.empty() || other.empty()) return beside.empty() ? other : beside;
+    if (beside != other && !same_content(beside, other))
+        warn(place, "\"" + excerpt(name) + "\" is " + excerpt(beside) +
+                        " beside the file that names it, which is read, and " + excerpt(other) +
+                        " by RADIANCE's rules, which differs");
+    return beside;
+}
+
+static std::string look_as_written(const std::string& name, const ReadOptions& options, const std::string& place) {
+    if (name.empty()) return "";
+    std::string near = in_folder_of(place, name);
+    if (!near.empty() && !readable(near)) near.clear();
+    const std::string path = first_of(near, along_raypath(name, options), name, place);
+    return path.empty() && name[0] != '/' && name[0] != '~' ? beside_scene(name, options) : path;
 }
 
 static std::string with_slashes(std::string name) {
@@ -81,25 +107,23 @@ static std::string with_slashes(std::string name) {
     return name;
 }
 
-std::string look_for_file(const std::string& name, const ReadOptions& options) {
-    const std::string path = look_as_written(name, options), other = with_slashes(name);
-    return path.empty() && other != name ? look_as_written(other, options) : path;
+std::string look_for_file(const std::string& name, const ReadOptions& options, const std::string& place) {
+    const std::string path = look_as_written(name, options, place), other = with_slashes(name);
+    return path.empty() && other != name ? look_as_written(other, options, place) : path;
 }
 
-std::string find_file(const std::string& name, const ReadOptions& options, const std::string& who) {
-    std::string path = look_for_file(name, options);
-    if (path.empty()) require_ordinary_file(name, who);
-    if (path.empty()) fail(who, "cannot find file \"" + excerpt(name) + "\"");
+std::string find_file(const std::string& name, const ReadOptions& options, const std::string& place) {
+    std::string path = look_for_file(name, options, place);
+    if (path.empty()) require_ordinary_file(name, place);
+    if (path.empty()) fail(place, "cannot find file \"" + excerpt(name) + "\"");
     return path;
 }
 
-std::string beside(const std::string& name, const std::string& asker) {
-    const size_t slash = asker.rfind('/');
+std::string beside(const std::string& name, const std::string& place) {
+    const auto there = [](const std::string& path) { return access(path.c_str(), F_OK) == 0 ? path : ""; };
     for (const std::string& spelt : {name, with_slashes(name)}) {
-        if (access(spelt.c_str(), F_OK) == 0) return spelt;
-        if (spelt.empty() || spelt[0] == '/' || slash == std::string::npos) continue;
-        const std::string path = asker.substr(0, slash + 1) + spelt;
-        if (access(path.c_str(), F_OK) == 0) return path;
+        const std::string path = first_of(there(in_folder_of(place, spelt)), there(spelt), name, place);
+        if (!path.empty()) return path;
     }
     return name;
 }

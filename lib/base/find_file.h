@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where RADIANCE looks for auxiliary files (.cal .dat .fnt .oct .rtm .xml, pictures): along RAYPATH, unless the name
-// starts with "/", "." or "~" (~/ is $HOME).  Scene files are not searched.  A name that no file has is looked for with
-// slashes in place of its backslashes as well: exports made on Windows have these.
+// Which file a name in a scene means: the one in the folder of the file that names it (docs/decisions/0041), else where
+// RADIANCE looks: auxiliary files (.cal .dat .fnt .oct .rtm .xml, pictures) along RAYPATH, unless the name starts with
+// "/", "." or "~" (~/ is $HOME), scene files in the working directory.  Both there and different: a warning.  A name
+// that no file has is looked for with slashes in place of its backslashes as well: exports made on Windows have these.
 #pragma once
 #include <memory>
 #include <string>
@@ -17,7 +18,7 @@ struct ReadOptions {
     Skies skies = Skies::any;                // of_weather: none but that
     bool exec = false;                       // -exec: "!command" other than the built-in generators may run
     std::vector<std::string> raypath;        // directories in order; empty = "." only
-    std::vector<std::string> scene_folders;  // where the scene files lie: searched after these
+    std::vector<std::string> scene_folders;  // where the scene files lie: searched last
     std::vector<std::string> cal_files;      // -f: function files whose definitions every primitive sees
     std::string asked_by;                    // what names the scene files, for open_file(); empty: the command line
     std::shared_ptr<WorkBudget> work = std::make_shared<WorkBudget>();  // what the whole scene may take
@@ -30,13 +31,13 @@ std::vector<std::string> raypath_from_environment();
 // names are looked for there, too, and names with a folder, as ./model/bsdf/x.xml, also in the folders above.
 void search_beside(const std::vector<std::string>& files, ReadOptions& options);
 
-// Path of a file by these rules; throws Error (place = who) if there is none that can be read.
-std::string find_file(const std::string& name, const ReadOptions& options, const std::string& who);
+// Path of an auxiliary file by these rules; place: "file:line", which names it.  Throws Error if there is none that can
+// be read.
+std::string find_file(const std::string& name, const ReadOptions& options, const std::string& place);
 // As find_file, but "" if there is none.
-std::string look_for_file(const std::string& name, const ReadOptions& options);
+std::string look_for_file(const std::string& name, const ReadOptions& options, const std::string& place);
 
-// Where a command in the file `asker` finds the file it names: in the working directory, as RADIANCE has it, else
-// beside the asker.
-std::string beside(const std::string& name, const std::string& asker);
+// Path of a scene file, or of another one that RADIANCE does not search for; `name` if there is none.
+std::string beside(const std::string& name, const std::string& place);
 
 }  // namespace base

@@ -105,11 +105,11 @@ uint32_t add_data(const DataFile& data, uint32_t channels, Code& code) {
 
 uint32_t data_table(Library::State& library, const std::string& file, size_t dimensions, const std::string& place,
                     Code& code) {
-    const auto known = code.tables.find("data " + file);
+    const std::string path = base::find_file(file, library.files, place);
+    const auto known = code.tables.find("data " + path);
     const uint32_t table = known != code.tables.end()
                                ? known->second
-                               : code.tables["data " + file] =
-                                     add_data(read_data(base::find_file(file, library.files, place), place), 1, code);
+                               : code.tables["data " + path] = add_data(read_data(path, place), 1, code);
     if (code.words[table] != dimensions)
         base::fail(place, "data file \"" + file + "\" has " + std::to_string(code.words[table]) + " dimensions, " +
                               std::to_string(dimensions) + " coordinates are given");
@@ -138,26 +138,27 @@ static DataFile picture_plane(int width, int height, double pixel_aspect, PIXEL&
 }
 
 uint32_t picture_table(Library::State& library, const std::string& file, const std::string& place, Code& code) {
-    const auto known = code.tables.find("picture " + file);
-    if (known != code.tables.end()) return known->second;
     const std::string path = base::find_file(file, library.files, place);
+    const auto known = code.tables.find("picture " + path);
+    if (known != code.tables.end()) return known->second;
     const image::Picture picture = image::read_file(path, image::Pixels::stored, place);
     const DataFile data = picture_plane(picture.width, picture.height, picture.header.pixel_aspect, [&](int x, int y) {
         return std::array{picture.at(x, y)[0], picture.at(x, y)[1], picture.at(x, y)[2]};
     });
-    return code.tables["picture " + file] = add_data(data, 3, code);
+    return code.tables["picture " + path] = add_data(data, 3, code);
 }
 
 std::optional<SpectralTables> spectral_tables(Library::State& library, const std::string& file,
                                               const std::string& place, Code& code) {
-    const auto picture = image::read_spectral_file(base::find_file(file, library.files, place), place);
+    const std::string path = base::find_file(file, library.files, place);
+    const auto picture = image::read_spectral_file(path, place);
     if (!picture) return {};
     SpectralTables r;
     r.bands = picture->bands;
     r.from = picture->from;
     r.to = picture->to;
     for (int first = 0; first < r.bands; first += 3) {
-        const std::string key = "bands " + std::to_string(first) + " " + file;
+        const std::string key = "bands " + std::to_string(first) + " " + path;
         const auto known = code.tables.find(key);
         if (known != code.tables.end()) {
             r.tables.push_back(known->second);

@@ -38,7 +38,7 @@ void Evaluator::define(const std::string& definitions, const std::string& place)
 }
 
 void Evaluator::load(const std::string& file, const std::string& place) {
-    state_->library.state().add_file(file, "", place, false);
+    state_->library.state().add_global_file(file, place, false);
 }
 
 bool Evaluator::has_function(const std::string& name) const {

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Loading of function files and the look-up of names.
 #include "cal/library.h"
+#include <algorithm>
 #include <cstdio>
+#include <set>
+#include <utility>
 #include "base/error.h"
 #include "base/open_file.h"
 #include "base/split.h"
@@ -55,11 +58,43 @@ Library::~Library() = default;
 void Library::define(const std::string& text, const std::string& place) { state_->add(text, place, "", true); }
 
 void Library::define_file(const std::string& file, const std::string& place) {
-    state_->add_file(file, "", place, true);
+    state_->add_global_file(file, place, true);
+}
+
+// `e` with these names, unless they are parameters, as global ones.
+static const Expr* with_globals(const Expr* e, const std::set<std::string>& names,
+                                const std::vector<std::string>& parameters, Pool& pool) {
+    Expr copy = *e;
+    bool changed = false;
+    for (const Expr*& kid : copy.kids) {
+        const Expr* old = std::exchange(kid, with_globals(kid, names, parameters, pool));
+        changed = changed || kid != old;
+    }
+    const bool is_name = e->kind == Expr::Kind::name || e->kind == Expr::Kind::call;
+    if (is_name && names.count(e->name) && std::find(parameters.begin(), parameters.end(), e->name) == parameters.end())
+        copy.name += '`', changed = true;
+    if (!changed) return e;
+    Expr* made = pool.make(e->kind);
+    *made = std::move(copy);
+    return made;
+}
+
+// As in RADIANCE, a name means what it means where it is read: "v = A1; A1 = 5;" gives v the primitive's A1.
+void Library::State::bind(std::vector<Definition>& list, const std::string& context) {
+    std::set<std::string> later;  // global so far, and not yet the file's
+    for (const Definition& d : list)
+        if (contexts[""].count(d.name) && !contexts[context].count(d.name)) later.insert(d.name);
+    for (Definition& d : list) {
+        if (later.empty()) return;
+        d.body = with_globals(d.body, later, d.parameters, pool);
+        later.erase(d.name);
+    }
 }
 
 void Library::State::add(std::string_view text, const std::string& file, const std::string& context, bool warn) {
-    for (Definition& def : parse_definitions(text, file, pool)) {
+    std::vector<Definition> list = parse_definitions(text, file, pool);
+    if (!context.empty()) bind(list, context);
+    for (Definition& def : list) {
         std::string base, own;
         def.context = context;
         if (split_context(def.name, base, own)) {
@@ -77,9 +112,8 @@ void Library::State::add(std::string_view text, const std::string& file, const s
     }
 }
 
-void Library::State::add_file(const std::string& file, const std::string& context, const std::string& place,
-                              bool warn) {
-    const std::string path = base::look_for_file(file, files);
+void Library::State::add_file(const std::string& file, const std::string& path, const std::string& context,
+                              const std::string& place, bool warn) {
     if (!path.empty()) return add(read_text(path, max_file, place), path, context, warn);
     const bool has_ending = base::ends_with(file, ".cal");
     const char* text = builtin_file(has_ending ? file : file + ".cal");
@@ -89,12 +123,17 @@ void Library::State::add_file(const std::string& file, const std::string& contex
 
 std::string Library::State::load(const std::string& file, const std::string& place) {
     if (file == ".") return "";
-    const std::string context = context_of(file);
-    if (!loaded.insert(file).second) return context;
+    const std::string path = base::look_for_file(file, files, place);
+    const auto [found, fresh] = loaded.emplace(path.empty() ? file : path, context_of(file));
+    std::string& context = found->second;
+    if (!fresh) return context;
+    // Files of one name in two folders: the later one's definitions have a context that no name can mean.
+    const auto taken = [&](const auto& other) { return &other.second != &context && other.second == context; };
+    while (std::any_of(loaded.begin(), loaded.end(), taken)) context += '+';
     try {
-        add_file(file, context, place, true);
+        add_file(file, path, context, place, true);
     } catch (...) {
-        loaded.erase(file);
+        loaded.erase(found);
         throw;
     }
     return context;

@@ -13,8 +13,7 @@ namespace generators {
 struct Call {
     std::vector<std::string> words;  // words[0] is the name
     std::string input;               // the file on standard input; "" if there is none
-    std::string asker;               // the scene file
-    std::string place;
+    std::string place;               // "file:line"
     const base::ReadOptions& options;
     long long most = 1000000;                               // pieces it may write
     [[noreturn]] void fail(const std::string& fact) const;  // "place: genbox: fact"

@@ -74,7 +74,7 @@ const char* const names[] = {"surf_x", "surf_y", "surf_z"};
 
 void Surface::read_coordinate(int k, const std::string& word) {
     struct stat st;
-    const std::string path = base::beside(word, call_.asker);
+    const std::string path = base::beside(word, call_.place);
     const bool expression = word == "s" || word == "t" || stat(path.c_str(), &st) != 0 || !S_ISREG(st.st_mode);
     if (expression) return f_.define(names[k], "s,t", word);
     base::TextReader in = base::TextReader::from_file(path, call_.place);

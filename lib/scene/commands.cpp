@@ -66,7 +66,7 @@ void SceneReader::run(const CommandLine& line, const std::string& text, size_t s
         cat({last.words.begin() + 1, last.words.end()}, from);
     } else if (const auto generate = line.needs_shell || stage > 1 ? nullptr : generators::find(name)) {
         std::string out;
-        generate(generators::Call{last.words, last.input, from.name(), from.place(), options_,
+        generate(generators::Call{last.words, last.input, from.place(), options_,
                                   static_cast<long long>(std::min<uint64_t>(limits_.copies, 1000000))},
                  out);
         read_text(out, from);
@@ -84,7 +84,7 @@ void SceneReader::run(const CommandLine& line, const std::string& text, size_t s
 void SceneReader::cat(const std::vector<std::string>& files, const base::TextReader& from) {
     bool lines = true;  // each file ends one
     for (size_t i = 0; i + 1 < files.size(); i++)
-        lines = lines && ends_line(base::beside(files[i], from.name()), from.place());
+        lines = lines && ends_line(base::beside(files[i], from.place()), from.place());
     if (lines) {
         for (const std::string& file : files) read_included(file, from);
         return;
@@ -95,7 +95,7 @@ void SceneReader::cat(const std::vector<std::string>& files, const base::TextRea
 }
 
 std::string SceneReader::text_of(const std::string& file, const base::TextReader& from, size_t limit) {
-    base::TextReader in = base::TextReader::from_file(base::beside(file, from.name()), from.place());
+    base::TextReader in = base::TextReader::from_file(base::beside(file, from.place()), from.place());
     std::string all;
     for (int c; (c = in.get()) >= 0 && all.size() < limit;) all += char(c);
     work_.spend(work_file + all.size() / work_bytes, from.place());

@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "base/error.h"
+#include "base/find_file.h"
 #include "base/split.h"
 #include "base/value.h"
 #include "base/text_file.h"
@@ -244,6 +245,8 @@ RadInput read_rad_input(const std::string& path, const std::vector<std::string>&
         for (const std::string& file : split_quoted(values.get(name), path + ": " + name))
             input.scene_files.push_back(file);
     if (input.scene_files.empty()) input.scene_files = split_quoted(values.get("OCTREE"), path + ": OCTREE");
+    for (std::string& file : input.scene_files)
+        if (file[0] != '!') file = base::beside(file, path + ":1");
     if (input.scene_files.empty()) base::fail(path, "names no scene");
     if (!values.get("ZONE").empty()) read_zone(values.get("ZONE"), input);
     if (!values.get("UP").empty()) read_up(values.get("UP"), input);

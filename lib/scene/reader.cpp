@@ -122,7 +122,7 @@ void SceneReader::mesh(const base::TextReader& in, const std::string& path) {
 
 void SceneReader::read_included(const std::string& name, const base::TextReader& from) {
     if (name == "-") base::fail(from.place(), "a command cannot read standard input");
-    read_file(base::beside(name, from.name()), from.place());
+    read_file(base::beside(name, from.place()), from.place());
 }
 
 long long SceneReader::count(base::TextReader& in, const char* what) {

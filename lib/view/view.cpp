@@ -16,6 +16,7 @@
 #include "base/angle.h"
 #include "base/error.h"
 #include "base/files_read.h"
+#include "base/find_file.h"
 #include "base/options.h"
 #include "base/split.h"
 #include "base/text_file.h"
@@ -61,7 +62,10 @@ void declare_options(base::OptionTable& t, View& v, const std::string& default_t
 }
 
 void declare_file_option(base::OptionTable& t, std::function<void(const View&)> use) {
-    const auto read = [=](base::Arguments& a) { use(read_view_file(a.text(), a.asked_by())); };
+    const auto read = [=](base::Arguments& a) {
+        const std::string name = a.text(), &asker = a.asked_by();
+        use(read_view_file(asker.empty() ? name : base::beside(name, asker + ":1"), asker));
+    };
     t.add("-vf file", "Take the view from a view file or from the header of a picture", read).from_scene();
 }
 

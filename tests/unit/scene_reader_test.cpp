@@ -149,9 +149,9 @@ TEST_CASE("files beside the file that names them are found from anywhere") {
     Folder::write("room/all.rad", "!xform part.rad\n!cat part.rad | xform -t 0 0 1\n");
     CHECK(scene::read_scene({"room/all.rad"}, {}).objects.size() == 2);
     scene::ReadOptions options;
-    CHECK(base::look_for_file("part.rad", options).empty());
+    CHECK(base::look_for_file("part.rad", options, "").empty());
     base::search_beside({"room/all.rad", "t.rad", "!cat x/y"}, options);
-    CHECK(base::look_for_file("part.rad", options) == "room/part.rad");
+    CHECK(base::look_for_file("part.rad", options, "") == "room/part.rad");
     CHECK(error_in("!xform nowhere.rad").find("t.rad:1: cannot open \"nowhere.rad\"") == 0);
 }
 
