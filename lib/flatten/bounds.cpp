@@ -70,15 +70,18 @@ Vec3 rounded(Vec3 p, double size) {
 
 }  // namespace
 
-Vec3 centre_of(const std::vector<Box>& boxes, const Vec3* eye) {
-    constexpr double near_origin = 16, far_from_eye = 1024, cell = 256;
+Vec3 centre_of(const std::vector<Box>& boxes, const Viewpoint* from) {
+    constexpr double near_origin = 16, far_from_eye = 1024, cell = 256, far_from_points = 16;
     if (boxes.empty()) return {};
     const Vec3 middle = middle_of(boxes);
     const double spread = spread_of(boxes, middle);
     const Vec3 centre = largest(middle) <= near_origin * spread ? Vec3{} : rounded(middle, spread);
-    if (eye == nullptr || !within_reach(*eye)) return centre;
-    const double around = size_around(boxes, *eye);
-    return largest(*eye - centre) <= far_from_eye * around ? centre : rounded(*eye, cell * around);
+    if (from == nullptr || !within_reach(from->at)) return centre;
+    const double away = largest(from->at - centre);
+    if (from->size)
+        return away <= far_from_points + *from->size ? centre : rounded(from->at, std::max(1., *from->size));
+    const double around = size_around(boxes, from->at);
+    return away <= far_from_eye * around ? centre : rounded(from->at, cell * around);
 }
 
 double radius_of(const std::vector<Box>& boxes) {

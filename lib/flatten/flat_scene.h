@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 #include "base/vec.h"
@@ -28,9 +29,18 @@ struct Box {
     base::Vec3 lo{1e30, 1e30, 1e30}, hi{-1e30, -1e30, -1e30};
 };
 
+// From where paths begin: an eye, or points, half of which lie within `size` of `at`.
+struct Viewpoint {
+    base::Vec3 at;
+    std::optional<double> size;  // none: an eye
+    Viewpoint(base::Vec3 eye) : at(eye) {}
+    Viewpoint(base::Vec3 middle, double points) : at(middle), size(points) {}
+};
+
 // Origin of tables, because single precision spoils positions far from it: the middle of most surfaces.  If the eye
-// (null: none) is far from it beside the size of the surfaces around the eye, a place near the eye.
-base::Vec3 centre_of(const std::vector<Box>& boxes, const base::Vec3* eye);
+// is far from it beside the size of the surfaces around the eye, a place near the eye; if points are so far from it
+// that they would be moved by more than RADIANCE's 1e-6, a place among them.  from: null: nowhere.
+base::Vec3 centre_of(const std::vector<Box>& boxes, const Viewpoint* from);
 // Half the size of most of the scene.
 double radius_of(const std::vector<Box>& boxes);
 

@@ -34,7 +34,7 @@ void add_tree(Draft& out, const Fill& fill) {
 }
 }  // namespace
 
-void flatten_geometry(const Modifiers& modifiers, const Instances& instances, const Vec3* eye, Draft& out,
+void flatten_geometry(const Modifiers& modifiers, const Instances& instances, const Viewpoint* eye, Draft& out,
                       Lights& lights) {
     Box all;
     out.boxes = surface_boxes(modifiers.scene, all);

@@ -44,10 +44,15 @@ HostTracer::Found HostTracer::closest(base::Vec3 o, base::Vec3 d, double tmin, d
     const Ray r = state_->ray(o, d, tmin, tmax);
     Hit h;
     state_->rays.closest(&state_->tables, &r, mask, &h);
-    if (h.prim == NO_HIT) return {-1, NO_HIT, NO_HIT, {}};
+    if (h.prim == NO_HIT) return {-1, NO_HIT, NO_HIT, {}, {}, 0};
     Surface g;
     surface_at(&state_->tables, &r, &h, &g);
-    return {h.t, h.prim, h.inst, {g.nface.x, g.nface.y, g.nface.z}};
+    return {h.t,
+            h.prim,
+            h.inst,
+            {g.nface.x, g.nface.y, g.nface.z},
+            base::Vec3{g.p.x, g.p.y, g.p.z} + state_->scene.centre,
+            g.rounding};
 }
 
 bool HostTracer::blocked(base::Vec3 o, base::Vec3 d, double tmin, double tmax, Mask mask) const {

@@ -13,11 +13,13 @@ class HostTracer {
 public:
     explicit HostTracer(const FlatScene& scene);  // keeps a reference
     ~HostTracer();
-    // normal: the shape's own, whatever the direction of the ray; inst: as Hit.inst of the kernels
+    // normal: the shape's own, whatever the direction of the ray; inst: as Hit.inst of the kernels; place: the point,
+    // moved onto the surface; rounding: Surface.rounding
     struct Found {
         double t;
         uint32_t prim, inst;
-        base::Vec3 normal;
+        base::Vec3 normal, place;
+        double rounding;
     };
     enum Mask : uint32_t { opaque = 1, transparent = 2, all = 3 };
     // Nearest primitive along a ray given in world coordinates; t < 0 if none.

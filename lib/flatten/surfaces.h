@@ -39,7 +39,7 @@ struct Lights {
 
 // All trees: the scene's own, with the places of its instances, then what these hold.
 // eye: for the origin of the tables (centre_of).
-void flatten_geometry(const Modifiers& modifiers, const Instances& instances, const base::Vec3* eye, Draft& out,
+void flatten_geometry(const Modifiers& modifiers, const Instances& instances, const Viewpoint* eye, Draft& out,
                       Lights& lights);
 
 // The surfaces of one scene, its meshes and instances left out, as part of the current tree with the origin `centre`.

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "flatten/pack.h"
+#include "render/sensor_starts.h"
 
 namespace render {
 using base::Vec3;
@@ -105,17 +106,14 @@ PointLayout lay_out(const std::vector<image::Point>& points) {
 }
 
 std::vector<PointRay> point_rays(const PointList& list, const PointLayout& layout, const flatten::FlatScene& scene) {
+    const std::vector<Vec3> starts = list.sensors ? sensor_starts(list.points, scene) : std::vector<Vec3>();
     std::vector<PointRay> rays(layout.point.size());
     for (size_t pixel = 0; pixel < layout.point.size(); pixel++) {
-        if (layout.point[pixel] == PointLayout::none) continue;
-        const image::Point& point = list.points[layout.point[pixel]];
-        Vec3 p = point.p - scene.centre, dir = point.dir;
-        if (list.sensors) {  // above a surface that it may lie on, as rays that leave surfaces begin (offset_ray.h)
-            const double size = scene.radius + std::fabs(p.x) + std::fabs(p.y) + std::fabs(p.z);
-            p = p + dir * (double(SURFACE_ROUNDING) * size);
-            dir = dir * -1.0;
-        }
-        rays[pixel] = {flatten::packed(p), flatten::packed(dir)};
+        const uint32_t k = layout.point[pixel];
+        if (k == PointLayout::none) continue;
+        const image::Point& point = list.points[k];
+        rays[pixel] = {flatten::packed((list.sensors ? starts[k] : point.p) - scene.centre),
+                       flatten::packed(point.dir * (list.sensors ? -1.0 : 1.0))};
     }
     return rays;
 }

@@ -126,7 +126,8 @@ void Renderer::load(const scene::Scene& scene, RenderOptions options, const scen
 }
 
 bool Renderer::is_near(const RenderView& v) const {
-    return flatten::centre_of(scene_.tables->boxes, &v.view.vp) == scene_.tables->centre;
+    const flatten::Viewpoint from = viewpoint_of(v);
+    return flatten::centre_of(scene_.tables->boxes, &from) == scene_.tables->centre;
 }
 
 void Renderer::select_view(const RenderView& v, const RenderOptions& options) {

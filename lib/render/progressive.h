@@ -38,8 +38,8 @@ public:
     // Replaces the scene; call select_view() next.  Throws Error (unsupported input with file:line), and keeps the
     // previous one.
     void load(const scene::Scene& scene, RenderOptions options, const scene::ReadOptions& files);
-    // Returns false if the scene must be loaded again, with options.eye = the view's, for the view's frames not to
-    // depend on earlier views: its eye is far from the origin of the tables.
+    // Returns false if the scene must be loaded again, with options.eye = viewpoint_of(v), for the view's frames not to
+    // depend on earlier views: its eye, or its points, are far from the origin of the tables.
     bool is_near(const RenderView& v) const;
     // Selects the view and options of the calls below; the options must equal those of load() in what changes the
     // scene's tables.

@@ -50,7 +50,7 @@ static std::string hash_of_surfaces(const scene::Scene& scene) {
 
 void Session::load_into_renderer(const WithSky& of, const Setup& setup, const scene::ReadOptions& how) const {
     RenderOptions options = setup.options;
-    options.eye = setup.view.view.vp;
+    options.eye = viewpoint_of(setup.view);
     options.room_text = of.room_text;
     if (!of.room_text.empty() && flatten::surfaces_end(of.scene) > of.room.objects)  // a sky with surfaces
         options.room_text = hash_of_surfaces(of.scene);

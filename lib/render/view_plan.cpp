@@ -2,6 +2,7 @@
 // See view_plan.h.
 #include "render/view_plan.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <fmt/core.h>
@@ -56,6 +57,21 @@ void plan_points(const RenderView& v, const flatten::FlatScene& flat, ViewPlan& 
     par = device::with_view(par, std::move(tables));
 }
 }  // namespace
+
+flatten::Viewpoint viewpoint_of(const RenderView& v) {
+    if (!v.points || v.points->points.empty()) return v.view.vp;
+    const std::vector<image::Point>& points = v.points->points;
+    const auto median = [&](auto&& value) {
+        std::vector<double> values;
+        for (const image::Point& point : points) values.push_back(value(point.p));
+        const auto half = values.begin() + std::ptrdiff_t(values.size() / 2);
+        std::nth_element(values.begin(), half, values.end());
+        return *half;
+    };
+    const base::Vec3 middle{median([](base::Vec3 p) { return p.x; }), median([](base::Vec3 p) { return p.y; }),
+                            median([](base::Vec3 p) { return p.z; })};
+    return {middle, median([&](base::Vec3 p) { return length(p - middle); })};
+}
 
 void require_memory(const RenderView& v) {
     constexpr uint64_t pixel = 60;  // bytes: frame 0's sums in double, a sample, a frame and its output buffer

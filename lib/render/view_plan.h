@@ -19,6 +19,9 @@ struct RenderView {
     std::shared_ptr<const PointList> points = {};  // in place of the view
 };
 
+// For the origin of the scene's tables: the eye, or the middle of most points.
+flatten::Viewpoint viewpoint_of(const RenderView& v);
+
 // Throws Error (system) if this machine cannot hold its frames.
 void require_memory(const RenderView& v);
 

@@ -25,7 +25,7 @@ std::vector<image::Part> frames_of(const scene::Scene& scene, const std::vector<
     view.points = list;
     view.view.vp = sensors[0].p;
     render::Renderer renderer(device);
-    options.eye = view.view.vp;
+    options.eye = render::viewpoint_of(view);
     renderer.load(scene, options, {});
     renderer.select_view(view, options);
     std::vector<image::Part> out;

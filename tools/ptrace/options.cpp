@@ -215,27 +215,22 @@ std::optional<int> parse(int argc, char** argv, const std::vector<std::string>& 
 
 }  // namespace
 
-// Tables of the scene are made as for an eye in their midst.
 void read_points(Options& opt) {
     const image::GridFiles before = std::move(opt.grid_files);
     image::GridFiles& files = opt.grid_files = {};
-    for (const std::string& path : image::point_files(opt.points_files)) {
+    for (const image::PointFile& file : image::point_files(opt.points_files)) {
         const auto known = std::find_if(before.begin(), before.end(), [&](const image::GridFile& f) {
-            return path == "-" && f.path == "stdin";  // which is read once
+            return file.path == "-" && f.path == "stdin";  // which is read once
         });
-        files.push_back(known == before.end() ? image::read_points(path) : *known);
+        files.push_back(known == before.end() ? image::read_points(file) : *known);
     }
     opt.grids = image::grids_of(files, opt.sensors.value_or(true));
     auto list = std::make_shared<render::PointList>();
     list->sensors = opt.sensors.value_or(true);
-    base::Vec3 sum{0, 0, 0};
-    for (const image::GridFile& file : files) {
-        for (const image::Point& point : file.points) sum = sum + point.p;
+    for (const image::GridFile& file : files)
         list->points.insert(list->points.end(), file.points.begin(), file.points.end());
-    }
     for (const image::Grid& grid : opt.grids) list->hash += image::to_text(grid) + " ";
     render::RenderView v{opt.view, 0, 0};
-    v.view.vp = sum * (1 / double(list->points.size()));
     image::size_for(list->points.size(), v.nx, v.ny);
     v.points = std::move(list);
     opt.views = {{"", v}};
