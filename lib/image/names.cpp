@@ -28,6 +28,8 @@ std::string to_text(const Ranges& ranges) {
     return text;
 }
 
+bool needs_floats(const Header& h) { return lacks_frame0(h) || !h.grids.empty(); }
+
 bool lacks_frame0(const Header& h) {
     return !h.ranges.empty() &&
            std::none_of(h.ranges.begin(), h.ranges.end(), [](const auto& r) { return r.first == 0; });

@@ -81,6 +81,8 @@ struct Picture {
 
 // A partial sum: the mean of frames without frame 0, which may be negative.
 bool lacks_frame0(const Header& header);
+// Must its pixels be written as floats, because RGBE would spoil them?  Not those of a view that is whole.
+bool needs_floats(const Header& header);
 
 // Throws Error (place = where) for what is not a picture of a scene: a single frame k > 0 and a partial sum
 // that lacks frame 0 (paper Eq. 7: only L'(n) is one).

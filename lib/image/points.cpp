@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <set>
@@ -24,12 +25,45 @@ namespace {
 
 constexpr size_t longest_line = 4096;  // characters
 
-std::string name_of(const std::string& path) {
-    return path == "-" ? "points" : std::filesystem::path(path).stem().string();
+namespace fs = std::filesystem;
+
+// path: from the folder of grids.
+std::string name_of(const fs::path& path) {
+    std::string name = path == "-" ? "points" : (path.parent_path() / path.stem()).string();
+    for (char& c : name)
+        if (static_cast<unsigned char>(c) <= ' ' || c == 0x7f || c == '/') c = '_';
+    return name;
+}
+
+bool is_point_file(const fs::path& path) {
+    std::string ending = path.extension().string();
+    for (char& c : ending) c = char(std::tolower(static_cast<unsigned char>(c)));
+    return ending == ".pts";
+}
+
+// Hidden files and folders are left out.
+std::vector<PointFile> files_in(const std::string& folder) {
+    std::set<std::string> inside;
+    std::error_code unreadable;
+    base::note_file_missed(folder);  // as are the .pts files that may come to be in it
+    for (auto at = fs::recursive_directory_iterator(folder, unreadable);
+         !unreadable && at != fs::recursive_directory_iterator(); at.increment(unreadable)) {
+        const bool hidden = at->path().filename().string()[0] == '.', deeper = at->is_directory(unreadable);
+        if (hidden && deeper) at.disable_recursion_pending();
+        else if (deeper) base::note_file_missed(at->path().string());
+        else if (!hidden && is_point_file(at->path())) inside.insert(at->path().string());
+    }
+    if (unreadable || inside.empty()) base::fail(folder, "is a folder without .pts files");
+    std::vector<PointFile> files;
+    for (const std::string& path : inside) files.push_back({path, name_of(fs::path(path).lexically_relative(folder))});
+    return files;
 }
 
 Point point_of(const std::vector<std::string>& words, const std::string& place) {
     std::array<double, 6> v{};
+    const auto has_comma = [](const std::string& word) { return word.find_first_of(",;") != std::string::npos; };
+    if (std::any_of(words.begin(), words.end(), has_comma))
+        base::fail(place, "a point is x y z dx dy dz with blanks between the six numbers, not commas");
     if (words.size() != v.size())
         base::fail(place, fmt::format("a point is x y z dx dy dz, six numbers, not {}", words.size()));
     for (size_t i = 0; i < v.size(); ++i)
@@ -46,10 +80,9 @@ bool operator==(const Grid& a, const Grid& b) {
     return a.name == b.name && a.first == b.first && a.count == b.count && a.sensors == b.sensors && a.hash == b.hash;
 }
 
-GridFile read_points(const std::string& path) {
-    GridFile file{path == "-" ? "stdin" : path, name_of(path), {}, {}};
-    plain_name(file.name, file.path);
-    base::TextReader in = base::TextReader::from_file(path, "");
+GridFile read_points(const PointFile& of) {
+    GridFile file{of.path == "-" ? "stdin" : of.path, plain_name(of.name, of.path), {}, {}};
+    base::TextReader in = base::TextReader::from_file(of.path, "");
     base::Hash hash;
     uint32_t number = 0;
     for (std::string line; in.line(line, longest_line);) {
@@ -70,19 +103,15 @@ GridFile read_points(const std::string& path) {
     return file;
 }
 
-std::vector<std::string> point_files(const std::vector<std::string>& paths) {
-    std::vector<std::string> out;
+std::vector<PointFile> point_files(const std::vector<std::string>& paths) {
+    std::vector<PointFile> out;
     for (const std::string& path : paths) {
         std::error_code unreadable;
-        if (!std::filesystem::is_directory(path, unreadable)) {
-            out.push_back(path);
+        if (!fs::is_directory(path, unreadable)) {
+            out.push_back({path, name_of(fs::path(path).filename())});
             continue;
         }
-        base::note_file_missed(path);  // as are the .pts files that may come to be in it
-        std::set<std::string> inside;
-        for (const auto& entry : std::filesystem::directory_iterator(path, unreadable))
-            if (entry.path().extension() == ".pts") inside.insert(entry.path().string());
-        if (unreadable || inside.empty()) base::fail(path, "is a folder without .pts files");
+        const std::vector<PointFile> inside = files_in(path);
         out.insert(out.end(), inside.begin(), inside.end());
     }
     return out;

@@ -17,7 +17,7 @@ struct Point {
 
 // Consecutive pixels of a picture.
 struct Grid {
-    std::string name;  // of the file, without folder and ending
+    std::string name;  // PointFile.name
     size_t first = 0, count = 0;
     bool sensors = true;  // values are irradiances; else radiances along rays
     std::string hash;     // of the points
@@ -33,12 +33,18 @@ using GridFiles = std::vector<GridFile>;
 
 constexpr size_t most_points = size_t(1) << 24;
 
-// x y z dx dy dz a line; # begins a comment.  "-": the standard input.  Throws Error (file:line) for anything else.
-GridFile read_points(const std::string& path);
+// A file of points, and its grid's name: the file's without folder and ending, with _ for blanks; in a sub-folder of a
+// folder of grids, the folder comes first: floor1_desk.
+struct PointFile {
+    std::string path, name;
+};
 
-// Files as they are named, and in place of a folder its .pts files in the order of their names (Honeybee's model/grid).
-// Throws Error for a folder without one.
-std::vector<std::string> point_files(const std::vector<std::string>& paths);
+// Files as they are named, and in place of a folder its .pts files (also .PTS) and those of its sub-folders, in the
+// order of their names (Honeybee's model/grid).  Throws Error for a folder without one.
+std::vector<PointFile> point_files(const std::vector<std::string>& paths);
+
+// x y z dx dy dz a line; # begins a comment.  "-": the standard input.  Throws Error (file:line) for anything else.
+GridFile read_points(const PointFile& file);
 
 // The grids of all files, in their order.  Throws Error (place: the file) if two have the same name.
 std::vector<Grid> grids_of(const GridFiles& files, bool sensors);

@@ -29,7 +29,7 @@ std::vector<base::FileStamp> stamps_of(const std::vector<std::string>& points) {
     for (const std::string& path : points) {
         out.push_back(base::stamp_of(path));
         try {
-            for (const std::string& file : image::point_files({path})) out.push_back(base::stamp_of(file));
+            for (const image::PointFile& file : image::point_files({path})) out.push_back(base::stamp_of(file.path));
         } catch (const base::Error&) {  // a folder without points: ptrace says so
         }
     }

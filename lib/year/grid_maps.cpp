@@ -16,8 +16,9 @@ namespace {
 std::vector<std::vector<image::Point>> points_of(const std::vector<GridYear>& years,
                                                  const std::vector<std::string>& paths) {
     std::vector<std::vector<image::Point>> points(years.size());
-    for (const std::string& path : image::point_files(paths)) {
-        image::GridFile file = image::read_points(path);
+    for (const image::PointFile& of : image::point_files(paths)) {
+        const std::string& path = of.path;
+        image::GridFile file = image::read_points(of);
         const auto year =
             std::find_if(years.begin(), years.end(), [&](const GridYear& y) { return y.name == file.name; });
         if (year == years.end()) base::fail(path, "the table has no grid \"" + file.name + "\"");

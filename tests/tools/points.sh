@@ -22,6 +22,19 @@ check 'a folder stands for its .pts files, in the order of their names' '
     ptrace -points grid -frames 2 sky.rad room.rad | ptaccum -last -ff > folder
     grep -aqx "GRID=a 0 1 irradiance [0-9a-f]*" folder; grep -aqx "GRID=b 1 2 irradiance [0-9a-f]*" folder
     ptrace -points grid -frames 2 sky.rad room.rad | ptaccum | vcmetrics -each -points grid | grep -q "^b	2	1	0.7"'
+check 'also where their names have blanks or another case, and those of its sub-folders; hidden files are left out' '
+    mkdir -p grids/floor1 grids/.old; for f in "Room 1.pts" "Raum ä.pts" x.PTS floor1/desk.pts .old/y.pts .z.pts; do
+        cp desk.pts "grids/$f"; done
+    ptrace -points grids -frames 2 sky.rad room.rad | ptaccum | vcmetrics -each -points grids > named
+    test "$(tail -n +2 named | cut -f1 | uniq | tr "\n" " ")" = "Raum_ä Room_1 floor1_desk x "'
+check 'sums of points are floats in every way out, and a .hdr file of them is a warning' '
+    printf "void light r 0 0 3 90 .2 .2\nr sphere s 0 0 4 1 1 3 .1\n" > red.rad
+    every() { ptrace -moments- -points desk.pts -frames 4 red.rad | ptaccum "$@"; }
+    every -every x2 | vcmetrics -like rtrace -last > exact; every -last | vcmetrics -like rtrace | cmp - exact
+    every -last -o red.exr; ptaccum red.exr -o - | vcmetrics -like rtrace | cmp - exact
+    every -o red.hdr 2> said; vcmetrics -like rtrace red.hdr | cmp - exact; grep -q "red.hdr: holds points" said
+    every -last -ff -o red.hdr 2> said; [ ! -s said ]
+    every -last -fc | vcmetrics -like rtrace > rough; ! cmp rough exact'
 check_error 'which it has' 1 '^ptrace: empty: is a folder without .pts files' '
     mkdir empty; ptrace -points empty -frames 2 sky.rad'
 check '-I- is the radiance along the ray' '
@@ -47,6 +60,9 @@ bad() { printf "$1" > bad.pts; ptrace -points bad.pts -frames 2 sky.rad; }
 check_error 'five numbers are not a point' 1 '^ptrace: bad.pts:2: a point is x y z dx dy dz, six numbers, not 5' \
     'bad "0 0 0 0 0 1\n1 2 3 4 5\n"'
 check_error 'nor are seven' 1 '^ptrace: bad.pts:1: a point is .* not 7' 'bad "0 0 0 0 0 1 7"'
+check_error 'nor are numbers with commas' 1 '^ptrace: bad.pts:1: a point is .* with blanks between the six numbers' \
+    'bad "0, 0, 0, 0, 0, 1\n"'
+check_error 'also without blanks' 1 '^ptrace: bad.pts:1: a point is .* with blanks' 'bad "0,0,0,0,0,1\n"'
 check_error 'words are no numbers' 1 '^ptrace: bad.pts:1: "nan" is not a number' 'bad "0 0 nan 0 0 1"'
 check_error 'a direction has a length' 1 '^ptrace: bad.pts:3: the direction has no length' 'bad "\n\n0 0 0 0 0 0"'
 check_error 'an empty file has no point' 1 '^ptrace: bad.pts: holds no point' 'bad "# nothing\n"'

@@ -47,7 +47,7 @@ void Output::sign(image::Picture& picture) const { image::add_history(picture.he
 image::Format Output::format_of(const image::Picture& picture) const {
     if (options_.floats) return image::Format::flt;
     if (options_.bytes) return image::Format::rgbe;
-    return image::lacks_frame0(picture.header) ? image::Format::flt : image::Format::rgbe;
+    return image::needs_floats(picture.header) ? image::Format::flt : image::Format::rgbe;
 }
 
 void Output::stream_picture(image::Picture& picture) const {
@@ -78,6 +78,12 @@ void Output::write_files(const image::Picture& picture, bool passing, const std:
     how.pixels = format_of(picture);
     how.exr.half = options_.half;
     if (passing) how.exr.compression = "none";
-    for (const std::string& name : options_.outputs)
-        display::write_file(name_of(name, picture.header), picture, how, options_.tone, filtered);
+    for (const std::string& pattern : options_.outputs) {
+        const std::string name = name_of(pattern, picture.header), ending = image::ending_of(name);
+        if (!passing && !picture.header.grids.empty() && !options_.floats && (ending == ".hdr" || ending == ".pic"))
+            base::warn(name, options_.bytes ? "-fc rounds the values of points, weak channels most"
+                                            : "holds points, whose values are written as floats, which RADIANCE does "
+                                              "not read (-fc rounds them)");
+        display::write_file(name, picture, how, options_.tone, filtered);
+    }
 }

@@ -48,9 +48,11 @@ void write_sum(const Options& opt, const film::Accumulator& sum, const std::stri
     image::Picture picture;
     sum.result(picture, !opt.output.empty());
     picture.header.last_frame.reset();
-    if (opt.output.empty()) return image::write_picture_stdout(picture, image::Format::rgbe);
+    image::WriteOptions how;
+    if (image::needs_floats(picture.header)) how.pixels = image::Format::flt;
+    if (opt.output.empty()) return image::write_picture_stdout(picture, how.pixels);
     image::add_date(picture.header);
-    image::write_file(output_name(opt.output, opt.last, label), picture);
+    image::write_file(output_name(opt.output, opt.last, label), picture, how);
 }
 
 void write_frame(const Options& opt, const image::Picture& frame, film::Accumulator& sum) {

@@ -23,12 +23,11 @@ using namespace report;
 // Points of -points, in the order of the grids.
 std::vector<image::Point> points_of(const Options& o, const std::vector<image::Grid>& grids) {
     std::vector<image::Point> all;
-    const std::vector<std::string> paths = image::point_files(o.points_files);
-    for (const std::string& path : paths) {
-        const size_t g = size_t(&path - paths.data());
-        image::GridFile file = image::read_points(path);
+    const std::vector<image::PointFile> files = image::point_files(o.points_files);
+    for (size_t g = 0; g < files.size(); g++) {
+        image::GridFile file = image::read_points(files[g]);
         if (g >= grids.size() || grids[g].hash != file.hash)
-            base::fail(path, "these are not the points of the picture, in the order in which it has them");
+            base::fail(files[g].path, "these are not the points of the picture, in the order in which it has them");
         all.insert(all.end(), file.points.begin(), file.points.end());
     }
     if (all.size() != image::count_of(grids))
