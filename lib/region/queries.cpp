@@ -15,15 +15,26 @@ std::vector<std::string> names_of(Kind kind, const SceneView& scene, unsigned su
     return name.empty() ? std::vector<std::string>{} : std::vector<std::string>{name};
 }
 
-[[noreturn]] void fail_unknown(const Shape& shape, const SceneView& scene) {
+std::vector<std::string> all_names(Kind kind, const SceneView& scene) {
     std::vector<std::string> all;
     for (unsigned k = 0; k < scene.surfaces(); ++k)
-        for (std::string& name : names_of(shape.kind, scene, k)) all.push_back(std::move(name));
+        for (std::string& name : names_of(kind, scene, k)) all.push_back(std::move(name));
     std::sort(all.begin(), all.end());
     all.erase(std::unique(all.begin(), all.end()), all.end());
+    return all;
+}
+
+[[noreturn]] void fail_unknown(const Shape& shape, const SceneView& scene) {
+    const bool modifier = shape.kind == Kind::modifier;
+    const std::vector<std::string> others = all_names(modifier ? Kind::surface : Kind::modifier, scene);
+    std::string hint = near_matches(shape.text, all_names(shape.kind, scene));
+    const char* other = modifier ? "surface" : "modifier";
+    if (std::any_of(others.begin(), others.end(), [&](const auto& name) { return matches(shape.text, name); }))
+        hint = fmt::format("; it is a {}'s name: \"{} {}\"", other, other, shape.text);
+    else if (const std::string near = near_matches(shape.text, others); hint.empty() && !near.empty())
+        hint = fmt::format("; of the {}s{}", other, near);
     base::fail(shape.place, fmt::format("no {} of the scene is called \"{}\"{}",
-                                        shape.kind == Kind::modifier ? "surface's modifier" : "surface", shape.text,
-                                        near_matches(shape.text, all)));
+                                        modifier ? "surface's modifier" : "surface", shape.text, hint));
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "region/queries.h"
+#include "region/upper_faces.h"
 
 namespace region {
 namespace {
@@ -22,13 +23,6 @@ struct Plane {
     double height = 0, size = 0;  // normal . corner; length of the longest edge
     std::vector<Corners> faces;
 };
-
-// Newell's normal, twice the area long (Tampieri, Newell's method, Graphics Gems III, 1992).
-Vec3 area_of(const Corners& c) {
-    Vec3 sum;
-    for (size_t i = 0; i < c.size(); ++i) sum = sum + cross(c[i] - c[0], c[(i + 1) % c.size()] - c[0]);
-    return sum;
-}
 
 Plane plane_of(const Corners& corners) {
     Plane out;
@@ -124,15 +118,30 @@ private:
         case Kind::surface:
         case Kind::modifier:
             if (!scene) base::fail(shape.place, "asks for surfaces of a scene; name its files behind the region file");
-            for (unsigned k = 0; k < scene->surfaces(); ++k)
-                if (meant[s][k])
-                    if (const Corners face = scene->face(k); !face.empty()) add_face(planes_[s], face);
+            lay_faces(shape, faces_of(meant[s], *scene), planes_[s]);
             if (planes_[s].empty())
                 base::fail(shape.place, "\"" + shape.text + "\" has no polygon and no ring for points to lie on");
             return;
         default: base::fail(shape.place, "needs a view; points lie on polygon3d, disc3d, surface and modifier");
         }
         add_face(planes_[s], own);
+    }
+
+    static std::vector<Corners> faces_of(const std::vector<char>& meant, const SceneView& scene) {
+        std::vector<Corners> faces;
+        for (unsigned k = 0; k < scene.surfaces(); ++k)
+            if (meant[k])
+                if (Corners face = scene.face(k); !face.empty()) faces.push_back(std::move(face));
+        return faces;
+    }
+    static void lay_faces(const Shape& shape, const std::vector<Corners>& faces, std::vector<Plane>& planes) {
+        const std::vector<Corners> upper = upper_faces(faces);
+        if (upper.size() < faces.size())
+            base::warn(shape.place,
+                       fmt::format("\"{}\" has points on its upper faces alone; {} of {} faces stand upright "
+                                   "or close a body from below",
+                                   shape.text, faces.size() - upper.size(), faces.size()));
+        for (const Corners& face : upper) add_face(planes, face);
     }
 
     bool inside(int node, Vec3 p) const {

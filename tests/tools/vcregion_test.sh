@@ -164,6 +164,24 @@ check 'a height below 0 is the other side; a floor whose corners are seen from o
     test "$(grep -c "0.76 0 0 1$" floor.pts)" = 24'
 check 'and on a disc' 'points .5 0 lamp | sed 1d | cut -d " " -f 1-3 | sort | paste -sd, |
     grep -x "0.75 0.75 2,0.75 1.25 2,1.25 0.75 2,1.25 1.25 2"'
+check 'a desk that is a box has them on its top, with a warning; walls and floors keep theirs' '
+    { printf "void plastic wood 0 0 5 .5 .5 .5 0 0\n!genbox wood desk 1.6 .8 .05 | xform -t 1 1 .7\n"
+      printf "void plastic carpet 0 0 5 .5 .5 .5 0 0\n"
+      for z in 0 3; do echo "!genbox carpet floor 4 3 .001 | xform -t 0 0 $z"; done
+      printf "wood polygon wall 0 0 12 0 0 0 0 0 3 0 4 3 0 4 0\n"; } > box.rad
+    for q in "modifier wood" "surface desk.*"; do echo "d $q" | vcregion -spacing .2 - box.rad 2> said > box.pts
+        test "$(grep -c " 0.75 0 0 1$" box.pts)" = 32; test "$(wc -l < box.pts)" = 33
+        grep -q "has points on its upper faces alone; [56] of [67] faces" said; done
+    echo "f modifier carpet" | vcregion -spacing 1 - box.rad 2> /dev/null | sed 1d | cut -d " " -f 3 | sort | uniq -c |
+        tr -s " \n" " " | grep -x " 12 0.001 12 3.001 "
+    echo "w surface wall" | vcregion -spacing 1 - box.rad 2> said | sed 1d | wc -l | grep -x 12; [ ! -s said ]'
+check_error 'a material is a modifier, and the message says so' 1 \
+    'called "carpet"; it is a modifier.s name: "modifier carpet"' '
+    echo "f surface carpet" | vcregion -spacing 1 - box.rad'
+check_error 'a surface is none' 1 'is called "wall"; it is a surface.s name: "surface wall"' '
+    echo "f modifier wall" | vcregion -spacing 1 - box.rad'
+check_error 'the nearest name is said, also of the other kind' 1 'of the modifiers .did you mean "carpet"..' '
+    echo "f surface carpt" | vcregion -spacing 1 - box.rad'
 check '-o writes one file, or one for each region' '
     grep -v "surface\|floor" work.regions > two.regions; mkdir grids
     vcregion -spacing .4 -height .01 -o all.pts -o grids/ two.regions
