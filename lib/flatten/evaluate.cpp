@@ -59,6 +59,30 @@ double mean_luminance(const FlatScene& scene, const Source& source) {
     return sum / weights;
 }
 
+bool has_orientation(const FlatScene& scene, uint32_t mod, base::Vec3 p, base::Vec3 n) {
+    const Modifier& m = scene.modifiers[mod];
+    SceneTables t{};
+    t.modifiers = scene.modifiers.data();
+    t.u = scene.u.data();
+    t.f = scene.f.data();
+    Params par{};
+    par.centre = packed(scene.centre);
+    Surface g;
+    surface_plain(0, mod, NONE, 1, &g);
+    g.p = F3(float(p.x), float(p.y), float(p.z));
+    g.nface = g.ng = g.n = g.v = F3(float(n.x), float(n.y), float(n.z));
+    g.front = 1;
+    g.type = M_BSDF;
+    g.path_length = 1;
+    float vars[CAL_VARS], value[CAL_OUTPUTS] = {};
+    material_vars(&par, &g, vars);
+    vars_to_frame(&t, &g, vars);
+    if (cal_run(&t, m.program, vars, value) != 0) return true;  // told otherwise
+    values_from_frame(&t, &g, m.flags, value);
+    const float* up = (m.flags & MF_ABSDF) != 0u ? value : value + 1;
+    return length3(cross3(F3(up[0], up[1], up[2]), g.n)) > 1e-6f;
+}
+
 bool run_program(const FlatScene& scene, uint32_t entry, const float* vars, float* out) {
     SceneTables t{};
     t.u = scene.u.data();

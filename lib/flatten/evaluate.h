@@ -10,6 +10,10 @@ namespace flatten {
 // Mean luminance of a light source, patterns included, over its points and the directions of its emission.
 double mean_luminance(const FlatScene& scene, const kernels::Source& source);
 
+// Has the BSDF of a modifier record an orientation at point p (relative to scene.centre) of a surface of normal n?  Not
+// if its up vector is 0 or along n.
+bool has_orientation(const FlatScene& scene, uint32_t mod, base::Vec3 p, base::Vec3 n);
+
 // Runs a .cal program of the scene's arenas for one point; false on a run-time error.  vars: CAL_VARS, out:
 // CAL_OUTPUTS.
 bool run_program(const FlatScene& scene, uint32_t entry, const float* vars, float* out);

@@ -17,6 +17,11 @@ namespace {
 using base::pi;
 
 double luminance_weight(const Reals& c) { return .265074126 * c[0] + .670114631 * c[1] + .064811243 * c[2]; }
+// RADIANCE leaves out distant sources of this radiance: what is behind them, or nothing, is seen in their place.
+bool is_nothing(const Reals& c) {
+    constexpr double FTINY = 1e-6;
+    return c[0] <= FTINY && c[1] <= FTINY && c[2] <= FTINY;
+}
 bool black(const Reals& c) { return c[0] <= 0 && c[1] <= 0 && c[2] <= 0; }
 
 void aim_spotlight(const Reals& c, const std::string& place, Source& q) {
@@ -91,13 +96,14 @@ void add_distant_sources(const Modifiers& modifiers, FlatScene& out, Sources& so
     for (const Object& o : scene.objects) {
         if (o.type != Type::source || o.modifier < 0 || !modifiers.has_material[o.modifier]) continue;
         const Object& material = distant_material(modifiers, o);
+        if (is_nothing(scene.reals(material))) continue;
         const Reals r = scene.reals(o);
         const Vec3 d = unit(vec_at(r, 0));
         const double half = std::min(r[3], 360.0) * pi / 360, s = std::sin(half / 2), cap = r[3] >= 360 ? 3 : 2 * s * s;
         const uint32_t seen = distant_seen(out, modifiers.record[o.modifier]);
         if (seen < DISTANT_BLACK && (out.modifiers[seen].flags & MF_PLACE) != 0) out.sky_places = true;
         Distant distant{packed(d), float(cap), seen, NONE};
-        if (material.type != Type::glow && !black(scene.reals(material))) {
+        if (material.type != Type::glow) {
             Source& q = add_source(modifiers, o, sources);
             q.kind = SK_DISTANT;
             q.centre = packed(d);

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "flatten/coincident.h"
+#include "flatten/evaluate.h"
 #include "flatten/instances.h"
 #include "flatten/pack.h"
 #include "flatten/polygon.h"
@@ -109,6 +110,16 @@ private:
                                    rectangle_about(corners, normal, centre_, exits > 0)});
     }
 
+    void warn_without_orientation(const Object& o, Vec3 p, Vec3 normal) {
+        const uint32_t m = modifiers_->material[o.modifier];
+        if (m == NONE) return;
+        const Object& material = scene_.objects[m];
+        if (material.type != Type::BSDF && material.type != Type::aBSDF) return;
+        if (has_orientation(out_, material_record(out_, modifiers_->record[o.modifier]), p, normal)) return;
+        base::warn(scene_.place(o), "the up vector of BSDF \"" + scene_.name(material) +
+                                        "\" is 0 or along the surface's normal: the surface is black");
+    }
+
     // ---- one function a kind
 
     void add_polygon(const Object& o) {
@@ -133,6 +144,7 @@ private:
         }
         note_emitter(o, prim);
         note_relay(o, prim, p.normal, mid, p.corners);
+        if (modifiers_) warn_without_orientation(o, mid - centre_, p.normal);
         if (lights_ && modifiers_->passes[o.modifier] && out_.panes.size() < MOST_PANES)
             out_.panes.push_back({p.corners[0], p.corners[1] - p.corners[0], p.normal, p.area, p.corners});
     }

@@ -190,9 +190,9 @@ FN_RARE void mat_bsdf(TABLES(const SceneTables) s, PARAMS(const Params) par, PRI
     if (asked == LOBES_SHADOW && !peaked) return;
 
     float3 z = bsdf_normal(g), up = peaked ? F3(value[0], value[1], value[2]) : F3(value[1], value[2], value[3]);
-    float3 x = cross3(up, z), y;
-    if (length3(x) > 1e-6f) x = unit3(x);
-    else orthonormal_basis(z, &x, &y);
+    float3 x = cross3(up, z);
+    if (length3(x) <= 1e-6f) return;  // without orientation it is black
+    x = unit3(x);
     float3 v = bsdf_local(x, z, g->v);
 
     GLOBAL const BsdfComponent* refl = bsdf_component(s, m, g->front, 0);
