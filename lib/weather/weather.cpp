@@ -48,7 +48,8 @@ void Lines::split(char separator) {
         }
         end = std::min(end, text_.size());
         const size_t last = text_.find_last_not_of(" \t", end == 0 ? 0 : end - 1);
-        fields_.push_back(quoted + (from < end && last >= from ? text_.substr(from, last + 1 - from) : ""));
+        if (from < end && last >= from) quoted.append(text_, from, last + 1 - from);
+        fields_.push_back(std::move(quoted));
         at = end + 1;
     }
 }
