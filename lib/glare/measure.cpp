@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Calculates each required quantity once, in the order of their dependence (measure.h).
 #include "glare/measure.h"
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include "glare/filled.h"
@@ -118,12 +119,34 @@ void measure_glare(const Reading& r, Images& images, Measurement& m) {
     if (m.mask) m.pgsv = pgsv(*m.mask, m.mean_lum, m.ev, has_task, m.task_lum);
 }
 
+// Highlights of rough surfaces in the sun are not drawn, and are brightest in their middle: filled evenly, one that is
+// narrower than its pixel counts for more than the larger and less bright source of a larger picture; spread over its
+// pixel, for less.  Moments that spread those that fill less than half of it.  Null: there are none.
+image::Moments spread_highlights(const Reading& r) {
+    constexpr double narrow = .5, bright_cdm2 = 5e5;  // share of the pixel; a thousandth of the sun
+    std::shared_ptr<std::vector<float>> out;
+    for (size_t i = 0; i < r.lum.size(); ++i) {
+        const float* const of = &(*r.lum.moments)[image::moment_numbers * i];
+        const double m1 = r.lum.grey[i], share = m1 * m1 / (m1 * m1 + of[image::moment_variance]);
+        const bool is_drawn = of[image::moment_right] != 0 || of[image::moment_up] != 0 ||
+                              of[image::moment_difference] == 0;  // or its variance was not sampled
+        if (is_drawn || !(m1 > 0 && share < narrow && r.lum.at(i) > bright_cdm2 * share)) continue;
+        if (!out) out = std::make_shared<std::vector<float>>(*r.lum.moments);
+        (*out)[image::moment_numbers * i + image::moment_variance] = 0;
+    }
+    return out;
+}
+
 }  // namespace
 
 Measurement measure(const Reading& r) {
     Measurement m = measure(r, r.lum, r.lum);
+    if (!m.filled || r.tables->find_by_other_reach.empty()) return m;
     for (const FindSources& find : r.tables->find_by_other_reach)
-        if (m.filled) m.of_other_reach.push_back(filled_glare(r, {r.lum, r.lum, {}, {}}, m, find));
+        m.of_other_reach.push_back(filled_glare(r, {r.lum, r.lum, {}, {}}, m, find));
+    Luminance spread = r.lum;
+    spread.moments = spread_highlights(r);
+    if (spread.moments) m.of_other_reach.push_back(measure_filled(r, spread, m));
     return m;
 }
 

@@ -108,3 +108,26 @@ check 'a sun at the rim whose place went with the moments is told, with the most
 check 'in front, in a fine picture, with moments and in another program'"'"'s picture nothing is said' '
     rim 64 5 > a.hdr; rim 512 60 > b.hdr; rim 64 88 -o c.exr; rim 64 88 > d.hdr; sed '/^FRAMES=/d' d.hdr > foreign.hdr
     for f in a.hdr b.hdr c.exr foreign.hdr; do vcmetrics -metrics Ev $f 2>> said > t; done; ! grep "line of sight" said'
+# The sun behind the eye, mirrored by a rough metal wall to SIGMA degrees right of the line of sight.
+highlight() {
+    awk -v s="$1" -v rough="$2" 'BEGIN {
+        r = 3.14159265358979 / 180; vx = sin(s*r); vy = cos(s*r); nx = -cos(20*r); ny = -sin(20*r)
+        k = vx * nx + vy * ny; x = 3 * vx; y = 3 * vy; tx = -2 * ny; ty = 2 * nx
+        print "void glow sky_light 0 0 4 2 2 2 0\nsky_light source sky 0 0 4 0 1 0 360"
+        printf "void light sun_light 0 0 3 8e5 8e5 8e5\nsun_light source sun 0 0 4 %g %g 0 .533\n", vx-2*k*nx, vy-2*k*ny
+        print "void metal steel 0 0 5 .7 .7 .7 .8 " rough "\nsteel polygon wall 0 0 12"
+        print x - tx, y - ty, -2, x + tx, y + ty, -2, x + tx, y + ty, 2, x - tx, y - ty, 2 }'
+}
+check 'a highlight that is narrower than its pixel: DGPf.px says how much lower a larger picture may be' '
+    for angle in 72 79 85 88; do
+        for rough in .005 .008 .03; do
+            highlight $angle $rough > steel.rad
+            for size in 64 400; do
+                ptrace -w- $view -x $size -y $size -frames 9 steel.rad | ptaccum |
+                    vcmetrics -W- -metrics DGPf,DGPf.px -ci 95 -last | tail -n 1 | cut -f 3-6 > at$size
+            done
+            paste at64 at400; paste at64 at400 | awk -v rough=$rough "{
+                low = (\$4 < 0 ? \$4 : 0) - (\$3 - \$2) - .005; off = \$5 - \$1
+                exit !(off > low && off < .005 + (\$3 - \$2) && (rough < .02 || \$4 ^ 2 < 1e-5)) }" || exit 1
+        done
+    done'
