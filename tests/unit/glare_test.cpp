@@ -180,8 +180,8 @@ TEST_CASE("numbers for a reader have the digits that their interval leaves meani
 }
 
 TEST_CASE("tables compare metric by metric") {
-    const NumberTable a{"a", {"Ev", "DGP"}, {}, {{1000, 0.3}}, {}}, b{"b", {"DGP", "Ev"}, {}, {{0.3001, 1000.01}}, {}},
-        c{"c", {"Ev"}, {}, {{1000}}, {}};
+    const NumberTable a{"a", {"Ev", "DGP"}, {}, {}, {{1000, 0.3}}, {}},
+        b{"b", {"DGP", "Ev"}, {}, {}, {{0.3001, 1000.01}}, {}}, c{"c", {"Ev"}, {}, {}, {{1000}}, {}};
     const auto d = compare_tables(a, b, {});
     REQUIRE(d.size() == 2);
     CHECK(d[0].within);        // 0.01 %
