@@ -133,11 +133,15 @@ struct Room {
     Sum watch(
         Stream& stream, int64_t most, const std::function<bool(const Sum&)>& done = [](auto&) { return false; }) {
         const int width = int(std::sqrt(double(stream.frame0().size())));
+        // Pixels without structure: columns NAMEf exist, and follow noise as others do.
+        const auto even =
+            std::make_shared<const std::vector<float>>(image::moment_numbers * size_t(width) * size_t(width), 0.f);
         Reading reading;
         Sum sum;
         while (stream.frames() < most) {
             image::Picture p = fisheye_of(stream.next(), width);
             as_sum(p, stream.frames());
+            p.moments = even;
             reading = read(plan, p, "sum", {}, std::move(reading));
             sum = add(std::move(sum), p, reading, "sum", true);
             sum = look(std::move(sum), reading, measure(reading), columns, 0);
