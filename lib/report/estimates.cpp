@@ -115,6 +115,13 @@ const uncertainty::Estimate& Look::estimate(size_t column) const {
     return column < estimates.size() ? estimates[column] : none;
 }
 
+uncertainty::Halves halves_of(const Look& look, size_t column, Noise noise) {
+    if (look.replicates.half_samples.empty() || quantity_of(noise).method != Method::half_samples) return {};
+    std::vector<double> values;
+    for (const uncertainty::Values& v : look.replicates.half_samples) values.push_back(v[column]);
+    return uncertainty::halves_of(values, uncertainty::degrees_of_freedom(look.replicates.frames));
+}
+
 std::vector<bool> counts(const glare::Geometry& g) {
     std::vector<bool> out(g.omega.size());
     for (size_t i = 0; i < out.size(); ++i) out[i] = g.valid(i);

@@ -7,6 +7,7 @@
 #include "glare/columns.h"
 #include "image/parts.h"
 #include "uncertainty/estimator.h"
+#include "uncertainty/halves.h"
 
 namespace report {
 
@@ -20,6 +21,9 @@ struct Look {
     std::vector<uncertainty::Estimate> own, estimates;  // by itself, and with the look before; empty: there was none
     const uncertainty::Estimate& estimate(size_t column) const;  // nan: none
 };
+
+// The half-samples of a column, if its error is estimated by them; else of no strata.
+uncertainty::Halves halves_of(const Look& look, size_t column, glare::Noise noise);
 
 // measurement: of the mean that was read.
 Look look(const glare::Reading& mean, const glare::Measurement& measurement, const std::vector<glare::Column>& columns,

@@ -105,7 +105,10 @@ NoisyValues noisy_values(const std::vector<image::Part>& parts, const float* who
     if (parts.size() < 2) return out;
     out.mean = estimate_mean(parts, first, count, mean, scale);
     double frames = 0;
-    for (const image::Part& part : parts) frames += double(part.frames);
+    Frames of_parts;
+    for (const image::Part& part : parts) frames += double(part.frames), of_parts.push_back(part.frames);
+    for (int k = 0; k < half_samples; ++k) out.half_weights.push_back(half_sample(of_parts, k));
+    out.strata = degrees_of_freedom(of_parts);
     for (const image::Part& part : parts) {
         auto& [weight, off] = out.parts.emplace_back(double(part.frames) / (double(parts.size() - 1) * frames),
                                                      std::vector<float>(count));
@@ -131,6 +134,13 @@ Interval point_limits(const NoisyValues& v, size_t i, double alpha) {
     if (v.degrees <= 0) return unknown;
     const double half = student_quantile(alpha, v.degrees) * v.error[i];
     return {v.value[i] - half, v.value[i] + half};
+}
+
+Halves point_halves(const NoisyValues& v, size_t i) {
+    std::vector<double> values(v.half_weights.size(), 0.);
+    for (size_t k = 0; k < values.size(); ++k)
+        for (size_t p = 0; p < v.parts.size(); ++p) values[k] += v.half_weights[k][p] * double(v.parts[p].second[i]);
+    return values.empty() ? Halves{} : halves_of(values, v.strata);
 }
 
 Interval mean_limits(const NoisyValues& v, double alpha) {

@@ -17,6 +17,7 @@
 
 #include "image/parts.h"
 #include "uncertainty/estimate.h"
+#include "uncertainty/halves.h"
 
 namespace uncertainty {
 
@@ -25,6 +26,8 @@ struct NoisyValues {
     std::vector<double> value, error;
     double degrees = 0;  // of freedom, of each error; 0: not known
     Estimate mean;
+    double strata = 0;                  // of the parts
+    std::vector<Weights> half_weights;  // of the parts in each half-sample
     // Of each part: its weight, so that the weighted squares of errors sum to a variance, and value less mean.
     std::vector<std::pair<double, std::vector<float>>> parts;
 };
@@ -36,6 +39,7 @@ NoisyValues noisy_values(const std::vector<image::Part>& parts, const float* who
 
 // The values of an interval itself, not its distance; nan where errors are not known.  alpha: probability to miss.
 Interval point_limits(const NoisyValues& values, size_t i, double alpha);
+Halves point_halves(const NoisyValues& values, size_t i);
 Interval mean_limits(const NoisyValues& values, double alpha);
 // Limits of a function that rises with each value and hangs on those near `at`: a percentile, the share above a limit.
 // tail: the share of values beyond it, at most a half; 0: of none.

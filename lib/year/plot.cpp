@@ -62,13 +62,13 @@ void add_hours(Canvas& c, const View& view, const Rows& rows, int wide_days, int
 // Months, and how many of their hours are above .40.
 void add_months(Canvas& c, const View& view, double alpha, int y) {
     for (int month = 1; month <= 12; ++month) {
-        std::vector<uncertainty::Uncertain> values;
+        View of_month{"", {}, view.shared};
         for (const Hour& h : view.hours)
-            if (h.time.date.month == month) values.push_back(h.dgp);
+            if (h.time.date.month == month) of_month.hours.push_back(h);
         const int x = x_of({month, 1});
         c.words.push_back({x, y + 4, weather::day_text({month, 1}).substr(2)});
-        if (values.empty()) continue;
-        const uncertainty::Interval n = uncertainty::count_above(values, limits[1], alpha);
+        if (of_month.hours.empty()) continue;
+        const uncertainty::Interval n = hours_above(of_month, limits[1], alpha);
         c.words.push_back(
             {x, y + 20, n.low == n.high ? fmt::format("{:.0f}", n.low) : fmt::format("{:.0f}-{:.0f}", n.low, n.high)});
     }

@@ -33,8 +33,9 @@ const Hour& hour_at(const std::vector<View>& views, const std::string& name, con
 
 Hour either_of(Hour a, const Hour& b) {
     const double low = std::min(a.dgp.at(-1), b.dgp.at(-1)), high = std::max(a.dgp.at(1), b.dgp.at(1));
-    const uncertainty::Uncertain& wider = a.dgp.error < b.dgp.error ? b.dgp : a.dgp;
-    a.dgp = {(low + high) / 2, wider.error, (high - low) / 2, 0, wider.degrees};
+    const Hour& wider = a.dgp.error < b.dgp.error ? b : a;
+    a.halves = wider.halves;
+    a.dgp = {(low + high) / 2, wider.dgp.error, (high - low) / 2, 0, wider.dgp.degrees};
     a.is_known = a.is_known && b.is_known;
     return a;
 }
@@ -60,6 +61,14 @@ Shaded with_shades(std::vector<View> open, const std::vector<View>& closed, doub
             const Hour& other = hour_at(closed, view.name, h.time);
             h = s == State::closed ? other : either_of(h, other);
         }
+    const auto is_shared = [](const View& v) { return v.shared; };
+    const bool shared = std::any_of(closed.begin(), closed.end(), is_shared) ||
+                        std::any_of(out.views.begin(), out.views.end(), is_shared);
+    for (View& view : out.views) {
+        view.shared = shared;
+        for (const Hour& h : view.hours)
+            if (shared && h.dgp.error > 0) require_half_samples(h.time, h.halves.strata);
+    }
     return out;
 }
 

@@ -34,22 +34,30 @@ using GridHours = std::map<int, GridHour>;
 struct Reading {
     std::vector<std::pair<std::string, Hours>> views;
     std::vector<std::pair<std::string, GridHours>> grids;
-    size_t values = 0;  // of sensors
+    size_t bytes = 0;  // of sensors
 };
 
+size_t bytes_of(const GridHour& h) {
+    return h.sensors.size() * sizeof(Lux) + h.halves.size() * sizeof(uncertainty::HalfCodes);
+}
+
 void add_sensor(const Columns& c, const report::NumberRow& row, const std::string& path, Reading& all) {
-    constexpr size_t most_values = size_t(1) << 28;  // 3 GiB
+    constexpr size_t most_bytes = size_t(1) << 31;
     const std::vector<std::string>& labels = row.labels;
     const weather::Time time = time_of(labels[*c.sky], path);
     GridHour& hour = called(labels[*c.grid], all.grids)[time.minute_of_year()];
     const std::string& word = labels[*c.point];
-    if (word == "0") all.values -= hour.sensors.size(), hour.sensors.clear();
+    const size_t before = bytes_of(hour);
+    if (word == "0") hour = {};
     if (word != std::to_string(hour.sensors.size()))
         base::fail(path, labels[*c.grid] + " at " + labels[*c.sky] + ": point " + word + " where " +
                              std::to_string(hour.sensors.size()) + " comes next");
-    if (++all.values > most_values) base::fail(path, "more than 268,435,456 values of sensors");
     hour.time = time;
-    hour.sensors.push_back(lux_of(c, row, path));
+    hour.paths = paths_of(c, row);
+    add_sensor(c, row, path, hour);
+    all.bytes += bytes_of(hour) - before;
+    if (all.bytes > most_bytes)
+        base::fail(path, "more than 2 GiB of sensors: 268,435,456 values, 89,478,485 with half-samples");
 }
 
 void add_table(const std::string& path, Reading& all, Tables& tables) {
@@ -78,16 +86,61 @@ void require_interval(const weather::Time& time, bool has_one) {
         base::fail(weather::name_of(time), "has no interval: it needs two frames or more, and vcmetrics -ci 95");
 }
 
+// What an hour with noise says of it.
+struct Noise {
+    weather::Time time;
+    std::string paths;
+    double strata;
+};
+
+// Have hours paths in common?  Then they are of one run, and all hours have half-samples: whatever errors they have in
+// common with others shows in these alone.
+bool share_paths(const std::vector<Noise>& hours) {
+    const auto first = std::find_if(hours.begin(), hours.end(), [](const Noise& n) { return !n.paths.empty(); });
+    if (first == hours.end()) return false;
+    for (const Noise& n : hours) {
+        require_half_samples(n.time, n.strata);
+        if (!n.paths.empty() && n.paths != first->paths)
+            base::fail(weather::name_of(n.time),
+                       "and " + weather::name_of(first->time) +
+                           " share their paths with hours of two runs: seeds, frames or hours "
+                           "of them differ");
+    }
+    return true;
+}
+
+View view_of(const std::string& name, const Hours& hours) {
+    View view{name, {}};
+    bool is_known = false;
+    std::vector<Noise> noise;
+    for (const auto& [minute, h] : hours) {
+        if (!std::isfinite(h.dgp.value)) base::fail(weather::name_of(h.time), "has no value");
+        is_known = is_known || h.is_known || h.is_missing || h.dgp.value >= 1;
+        if (h.dgp.error > 0) noise.push_back({h.time, h.paths, h.halves.strata});
+        view.hours.push_back(h);
+    }
+    require_interval(view.hours.front().time, is_known);
+    view.shared = share_paths(noise);
+    return view;
+}
+
 Grid grid_of(const std::string& name, GridHours& hours) {
     Grid grid{name, {}};
+    std::vector<Noise> noise;
     for (auto& [minute, h] : hours) {
         for (const Lux& e : h.sensors)
             if (!is_missing(h)) require_interval(h.time, e.error >= 0 && std::isfinite(e.value));
+        if (!h.halves.empty()) h.halves.resize(h.sensors.size());
+        const auto is_noisy = [](const Lux& e) { return e.error > 0; };
+        if (std::any_of(h.sensors.begin(), h.sensors.end(), is_noisy)) noise.push_back({h.time, h.paths, h.strata});
         grid.hours.push_back(std::move(h));
         if (grid.hours.back().sensors.size() != grid.sensors())
             base::fail(name, weather::name_of(grid.hours.back().time) + " has other sensors than " +
                                  weather::name_of(grid.hours.front().time));
     }
+    grid.shared = share_paths(noise);
+    const auto fewer = [](const Noise& a, const Noise& b) { return a.strata < b.strata; };
+    if (!noise.empty()) grid.strata = std::min_element(noise.begin(), noise.end(), fewer)->strata;
     return grid;
 }
 
@@ -95,6 +148,12 @@ Grid grid_of(const std::string& name, GridHours& hours) {
 
 double Hour::low() const { return dgp.at(-1, uncertainty::student_of_normal(normal_quantile, dgp.degrees)); }
 double Hour::high() const { return dgp.at(1, uncertainty::student_of_normal(normal_quantile, dgp.degrees)); }
+
+void require_half_samples(const weather::Time& time, double strata) {
+    if (!(strata > 0))
+        base::fail(weather::name_of(time),
+                   "has no half-samples, but hours of this year share their paths (vcmetrics -halves)");
+}
 
 bool is_dark(const GridHour& h) {
     return std::all_of(h.sensors.begin(), h.sensors.end(), [](const Lux& e) { return e.value == 0; });
@@ -108,16 +167,7 @@ Tables read_tables(const std::vector<std::string>& paths) {
     Tables all;
     Reading read;
     for (const std::string& path : paths) add_table(path, read, all);
-    for (auto& [name, hours] : read.views) {
-        all.views.push_back({name, {}});
-        bool is_known = false;
-        for (const auto& [minute, h] : hours) {
-            if (!std::isfinite(h.dgp.value)) base::fail(weather::name_of(h.time), "has no value");
-            is_known = is_known || h.is_known || h.is_missing || h.dgp.value >= 1;
-            all.views.back().hours.push_back(h);
-        }
-        require_interval(all.views.back().hours.front().time, is_known);
-    }
+    for (const auto& [name, hours] : read.views) all.views.push_back(view_of(name, hours));
     for (auto& [name, hours] : read.grids) all.grids.push_back(grid_of(name, hours));
     if (!all.grids.empty() && !all.views.empty()) base::fail(paths.front(), "views and sensors are counted apart");
     return all;

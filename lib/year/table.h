@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "uncertainty/counts.h"
+#include "uncertainty/halves.h"
 #include "weather/date.h"
 
 namespace year {
@@ -20,6 +21,8 @@ struct Hour {
     double least_pixels = pixels_of_64;  // of the smallest of its pictures
     bool dark = false;                   // no light at all
     bool is_missing = false;             // the weather file has no values (rows of nan): any DGP is possible
+    uncertainty::Halves halves;          // of dgp, where the table has them
+    std::string paths;                   // the same in hours of one set of paths; empty: the hour has its own
     bool is_known = true;                // false: no interval came with so few frames, so that any value is possible
     double low() const, high() const;    // of the 95 % interval, with the pixels' error
 };
@@ -27,16 +30,19 @@ struct Hour {
 struct View {
     std::string name;         // empty: the only one
     std::vector<Hour> hours;  // by time
+    bool shared = false;      // hours have paths in common: all have half-samples
 };
 
 struct Lux {
     float value = 0, error = 0;  // one standard error
-    float degrees = std::numeric_limits<float>::infinity();
 };
 
 struct GridHour {
     weather::Time time;
     std::vector<Lux> sensors;
+    std::vector<uncertainty::HalfCodes> halves = {};  // of each sensor; empty: not known
+    double degrees = uncertainty::Uncertain::infinite, strata = 0;
+    std::string paths = {};
 };
 
 bool is_dark(const GridHour& hour);
@@ -46,6 +52,8 @@ bool is_missing(const GridHour& hour);
 struct Grid {
     std::string name;
     std::vector<GridHour> hours;  // by time, all with the same sensors
+    bool shared = false;          // as of a view
+    double strata = 0;            // fewest of an hour that has light; 0: half-samples are not known
     size_t sensors() const { return hours.front().sensors.size(); }
 };
 
@@ -56,6 +64,10 @@ struct Tables {
     bool no_errors = false;   // limits without their standard errors: they count as of 95 %
     bool no_pixels = false;   // no column pixels: pictures count as 64 x 64
 };
+
+// Throws Error (place: the hour) where there are none: counts of a year whose hours share paths need those of all
+// hours.
+void require_half_samples(const weather::Time& time, double strata);
 
 // Files and lines come in any order but for hours that were rendered twice at one size with as many frames.  Throws
 // Error (place: the file) for tables without hours, or without DGP or E, or in which no hour has an interval.

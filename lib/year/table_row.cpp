@@ -36,10 +36,10 @@ std::optional<size_t> column(const std::vector<std::string>& names, const std::s
 report::NumberError error_of(const Columns& c, const report::NumberRow& row, const std::string& name,
                              const std::string& place) {
     if (c.errors) {
-        constexpr report::NumberError unknown{NAN, uncertainty::Uncertain::infinite};
+        const report::NumberError unknown{NAN, uncertainty::Uncertain::infinite, {}};
         return report::error_of(name, row.notes[*c.errors], place).value_or(unknown);
     }
-    return {(row.values[*c.high] - row.values[*c.low]) / 2 / normal_quantile, uncertainty::Uncertain::infinite};
+    return {(row.values[*c.high] - row.values[*c.low]) / 2 / normal_quantile, uncertainty::Uncertain::infinite, {}};
 }
 
 // The DGP that an hour has by the lower limit of its illuminance alone; 0 where the correction of low light counts.
@@ -59,7 +59,7 @@ double least_dgp(const Columns& c, const report::NumberRow& row, const std::stri
 Columns::Columns(const report::NumberTable& t) {
     view = column(t.labels, "view"), sky = column(t.labels, "sky"), frame = column(t.labels, "frame");
     grid = column(t.labels, "grid"), point = column(t.labels, "point");
-    errors = column(t.notes, report::errors_column);
+    errors = column(t.notes, report::errors_column), paths = column(t.notes, report::paths_column);
     name = grid ? "E" : column(t.names, "DGPf") ? "DGPf" : "DGP";
     const std::string end = grid ? "" : name + ".";
     value = column(t.names, name), low = column(t.names, end + "lo"), high = column(t.names, end + "hi");
@@ -88,6 +88,7 @@ Hour hour_of(const Columns& c, const report::NumberRow& row, const std::string& 
     if (c.frame) h.frames = std::atof(row.labels[*c.frame].c_str());
     if (cell(c.pixels) > 0) h.pixels = *cell(c.pixels);
     h.least_pixels = h.pixels;
+    h.paths = paths_of(c, row);
     h.is_missing = c.ev ? std::isnan(*cell(c.ev)) : std::isnan(h.dgp.value);
     if (h.is_missing) {
         h.is_known = false;
@@ -99,7 +100,7 @@ Hour hour_of(const Columns& c, const report::NumberRow& row, const std::string& 
     const double middle = (*cell(c.low) + *cell(c.high)) / 2;
     h.is_known = std::isfinite(middle) && e.error >= 0;
     if (h.is_known) {
-        h.dgp.value = middle, h.dgp.error = e.error, h.dgp.degrees = e.degrees;
+        h.dgp.value = middle, h.dgp.error = e.error, h.dgp.degrees = e.degrees, h.halves = e.halves;
         add_error_of_pixels(h, cell(c.pixel_error).value_or(0), cell(c.joins));
     } else {
         h.dgp.bound = 1;
@@ -109,12 +110,19 @@ Hour hour_of(const Columns& c, const report::NumberRow& row, const std::string& 
     return h;
 }
 
-Lux lux_of(const Columns& c, const report::NumberRow& row, const std::string& place) {
+std::string paths_of(const Columns& c, const report::NumberRow& row) {
+    return c.paths && row.notes[*c.paths] != "-" ? row.notes[*c.paths] : "";
+}
+
+void add_sensor(const Columns& c, const report::NumberRow& row, const std::string& place, GridHour& hour) {
     const double e = row.values[*c.value];
     const report::NumberError error = error_of(c, row, c.name, place);
-    Lux lux{float(e), float(error.error), float(error.degrees)};
-    if (e == 0 && std::isnan(error.error)) lux.error = 0;
-    return lux;
+    hour.sensors.push_back({float(e), e == 0 && std::isnan(error.error) ? 0 : float(error.error)});
+    hour.degrees = error.degrees > 0 ? error.degrees : uncertainty::Uncertain::infinite;
+    if (!(error.halves.strata > 0)) return;
+    hour.halves.resize(hour.sensors.size());
+    hour.halves.back() = error.halves.codes;
+    hour.strata = error.halves.strata;
 }
 
 }  // namespace year

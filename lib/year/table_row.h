@@ -12,7 +12,7 @@ namespace year {
 // Where the columns stand.  DGPf where it is there, else DGP; of sensors E, whose limits are called lo and hi.
 struct Columns {
     std::optional<size_t> view, sky, frame, grid, point;  // among labels
-    std::optional<size_t> errors;                         // among notes
+    std::optional<size_t> errors, paths;                  // among notes
     std::optional<size_t> value, low, high, pixel_error, joins, ev, ev_low, pixels;
     std::string name;  // of the value
 
@@ -22,6 +22,7 @@ struct Columns {
 
 weather::Time time_of(const std::string& name, const std::string& place);
 Hour hour_of(const Columns& columns, const report::NumberRow& row, const std::string& place);
-Lux lux_of(const Columns& columns, const report::NumberRow& row, const std::string& place);
+std::string paths_of(const Columns& columns, const report::NumberRow& row);  // empty: the hour's own
+void add_sensor(const Columns& columns, const report::NumberRow& row, const std::string& place, GridHour& hour);
 
 }  // namespace year

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "uncertainty/shared_counts.h"
+
 namespace year {
 namespace {
 
@@ -12,6 +14,20 @@ std::vector<uncertainty::Uncertain> values_of(const View& view) {
     std::vector<uncertainty::Uncertain> values;
     for (const Hour& h : view.hours) values.push_back(h.dgp);
     return values;
+}
+
+std::vector<uncertainty::Shared> shared_values_of(const View& view) {
+    std::vector<uncertainty::Shared> values;
+    for (const Hour& h : view.hours) values.push_back({h.dgp, uncertainty::off(h.halves.codes)});
+    return values;
+}
+
+// The fewest of an hour that has noise.
+double strata_of(const View& view) {
+    double least = uncertainty::strata;
+    for (const Hour& h : view.hours)
+        if (h.dgp.error > 0) least = std::min(least, h.halves.strata);
+    return least;
 }
 
 }  // namespace
@@ -25,6 +41,16 @@ const char* class_name(int k) {
 
 bool holds(const Hour& h, double limit) { return h.low() < limit && limit < h.high(); }
 
+uncertainty::Interval hours_above(const View& view, double limit, double alpha) {
+    return view.shared ? uncertainty::count_above(shared_values_of(view), strata_of(view), limit, alpha)
+                       : uncertainty::count_above(values_of(view), limit, alpha);
+}
+
+uncertainty::Interval exceeded_dgp(const View& view, size_t exceeding, double alpha) {
+    return view.shared ? uncertainty::exceeded_interval(shared_values_of(view), strata_of(view), exceeding, alpha)
+                       : uncertainty::exceeded_interval(values_of(view), exceeding, alpha);
+}
+
 Verdict judge(const View& view, double alpha) {
     Verdict v;
     v.view = view.name;
@@ -35,14 +61,13 @@ Verdict judge(const View& view, double alpha) {
     v.undecided = count([](const Hour& h) {
         return std::any_of(limits.begin(), limits.end(), [&](double limit) { return holds(h, limit); });
     });
-    const std::vector<uncertainty::Uncertain> values = values_of(view);
     for (size_t k = 0; k < limits.size(); ++k) {
-        const uncertainty::Interval n = uncertainty::count_above(values, limits[k], alpha);
+        const uncertainty::Interval n = hours_above(view, limits[k], alpha);
         v.above[k] = {double(count([&](const Hour& h) { return h.dgp.value > limits[k]; })), n.low, n.high};
     }
     const size_t exceeding = size_t(exceeding_share * double(v.hours) + 1e-9);
-    const uncertainty::Interval e = uncertainty::exceeded_interval(values, exceeding, alpha);
-    v.exceeded = {uncertainty::exceeded(values, exceeding), e.low, e.high};
+    const uncertainty::Interval e = exceeded_dgp(view, exceeding, alpha);
+    v.exceeded = {uncertainty::exceeded(values_of(view), exceeding), e.low, e.high};
     constexpr double rounding = 1e-9;
     v.best = class_of(e.low - rounding);
     v.worst = class_of(e.high - rounding);

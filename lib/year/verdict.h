@@ -36,6 +36,11 @@ struct Verdict {
 // alpha: probability that an interval misses.
 Verdict judge(const View& view, double alpha);
 
+// Limits of how many hours are above a limit, and of the DGP that so many exceed.  Where hours of the view share their
+// paths they are counted in half-samples (uncertainty/shared_counts.h).
+uncertainty::Interval hours_above(const View& view, double limit, double alpha);
+uncertainty::Interval exceeded_dgp(const View& view, size_t exceeding, double alpha);
+
 // Does the interval of the hour, with its pixels' error, hold the limit?
 bool holds(const Hour& hour, double limit);
 

@@ -35,6 +35,17 @@ check 'autonomy, useful illuminance and direct sun: four of six hours have light
     grep -q "^UDI       55.6 % below 100 lx, 0.0 % supplementary, .*44.4 % exceeded$" says
     grep -qx "ASE       33.3 % of the sensors have 1000 lx of sun in more than 3 of 6 hours" says
     [ "$(vcyear -direct sun.tsv -ase 1000 4 all.tsv | grep -c "^ASE       0.0 %")" = 2 ]'
+check 'hours that share their paths say so, in all formats, and are counted in half-samples' '
+    shared() {
+        ptrace -w- -points desk.pts -points free.pts -wea y.wea -frames 9 roof.rad 2> said |
+            sed "s/^SEED=.*/SEED=${SEED:-1}/; s/^SKYNAME=/SHARED_PATHS=0123456789abcdef\n&/" | ptaccum -every x2 |
+            vcmetrics -W- -each "$@"
+    }
+    shared > shared.tsv; head -n 1 shared.tsv | grep -qx "sky	grid	point	E	lo	hi	errors	paths"
+    tail -n 1 shared.tsv | grep -qE "	E=[0-9.e+-]+/[0-9.]+/[A-Za-z0-9_-]{16}/[0-9.]+	[0-9a-f]{8}$"
+    vcyear shared.tsv > says; vcyear all.tsv | cmp - says; shared -format jsonl > s.jsonl; vcyear s.jsonl | cmp - says'
+check_error 'never as if they were independent' 1 '^vcyear: 0121_0930: has no half-samples, but hours' '
+    sed -E "s,/[A-Za-z0-9_-]{16}/[0-9.]+	,	,g" shared.tsv > bare.tsv; vcyear bare.tsv'
 check 'parts joined by cat, an hour rendered again' '
     hours -frames 9 -hours 1/2 > a.tsv; hours -frames 9 -hours 2/2 > b.tsv
     vcyear all.tsv > says; cat a.tsv b.tsv | vcyear - | cmp - says; vcyear b.tsv all.tsv | grep -q "^hours     6,"'

@@ -29,6 +29,25 @@ check 'the year is the same whatever the certainty of its limits' '
 check 'a table of limits alone counts as of 95 %, which is told' '
     awk -F "\t" -v OFS="\t" "{ NF--; print }" all.tsv > limits.tsv
     vcyear limits.tsv 2>&1 > out | grep -q "warning: limits.tsv: no column errors .*count as of 95 %$"'
+# As if hours shared their paths: parts with the same seed do.
+shared() {
+    ptrace -w- -vf $office/view.vf -x 24 -y 24 -wea y.wea "$@" $office/materials.rad $office/layout.rad |
+        sed "s/^SEED=.*/SEED=${SEED:-1}/; s/^SKYNAME=/SHARED_PATHS=0123456789abcdef\n&/" | ptaccum -every x2/8 |
+        vcmetrics -W- -metrics Ev,DGPf,DGP.px,DGPf.px,pixels -ci 95 -last
+}
+check 'hours that share paths say so at the end of their rows, with half-samples, and have wider limits' '
+    shared -frames 9 > one.tsv 2> said; [ "$(cut -f 20 one.tsv | sort -u | wc -l)" -ge 2 ]
+    head -n 1 one.tsv | grep -q "	errors	paths$"
+    sed -n 3p one.tsv | grep -qE "	Ev=[^ ]*/[A-Za-z0-9_-]{16}/4 DGPf=[^ ]*/4 DGP.px=[^ ]*/4	[0-9a-f]{8}$"
+    vcyear one.tsv > says; grep -q "^hours     12, 3 dark" says
+    width() { vcyear -format tsv $1 | tail -n 1 | awk "{ print \$16 - \$15 }"; }
+    awk "BEGIN { exit !($(width one.tsv) > $(width all.tsv)) }"'
+check 'parts of one run join, in all formats' '
+    for k in 1 2; do shared -frames 9 -hours $k/2 2> said > part.$k; done; cat part.1 part.2 | vcyear - | cmp - says'
+check_error 'hours of another seed do not' 1 '^vcyear: 0[123]21_[0-9]*: and 0121_[0-9]* share their paths with' '
+    SEED=2 shared -frames 9 -hours 2/2 2> said > other; cat part.1 other | vcyear -'
+check_error 'nor are they counted without half-samples' 1 '^vcyear: 0121_[0-9]*: has no half-samples, but hours' '
+    sed -E "s,/[A-Za-z0-9_-]{16}/4,,g" one.tsv > bare.tsv; vcyear bare.tsv'
 check 'parts joined by cat, and the standard input' '
     hours -frames 9 -hours 1/2 > a.tsv 2> said; hours -frames 9 -hours 2/2 > b.tsv 2> said
     cat a.tsv b.tsv | vcyear - > joined; cmp five joined

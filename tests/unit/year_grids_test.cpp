@@ -7,7 +7,6 @@
 #include <random>
 
 #include "temp_folder.h"
-#include "uncertainty/student.h"
 #include "year/text.h"
 
 namespace {
@@ -35,36 +34,60 @@ Grid ramp(int n, double relative_error) {
 }
 
 // Years of sensors whose illuminance falls with their distance from the window by a factor of 30 and spreads over a
-// decade and more among the hours.  Relative errors have a part in common among the sensors of an hour, and are
-// estimated with 15 degrees of freedom.
+// decade and more among the hours.  Each of sixteen parts of the frames has an error of which a share is common to all
+// sensors of an hour, and another one to all hours.
 class SimulatedYears {
 public:
     SimulatedYears(size_t sensors, size_t hours) : sensors_(sensors), hours_(hours) {}
-    void draw(double error, double common) {
+    void draw(double error, double of_hour, double of_year) {
         truth = seen = Grid{"floor", {}};
+        seen.shared = of_year > 0, seen.strata = uncertainty::strata;
+        std::array<double, parts> all{};
+        for (double& a : all) a = normal_(random_);
         for (size_t h = 0; h < hours_; ++h) {
-            const double sky = h % 10 == 0 ? 0 : 4000 * std::exp(1.2 * normal_(random_)), all = normal_(random_);
-            std::vector<Lux> exact, noisy;
+            const double sky = h % 10 == 0 ? 0 : 4000 * std::exp(1.2 * normal_(random_));
+            std::array<double, parts> off{};
+            for (size_t p = 0; p < parts; ++p)
+                off[p] = std::sqrt(of_hour) * normal_(random_) + std::sqrt(of_year) * all[p];
+            GridHour exact{hour_number(int(h)), {}}, noisy{hour_number(int(h)), {}};
+            noisy.degrees = parts - 1, noisy.strata = uncertainty::strata;
             for (size_t i = 0; i < sensors_; ++i) {
                 const double e = sky * std::pow(30, -double(i) / double(sensors_)) * std::exp(.3 * normal_(random_));
-                const double off = std::sqrt(common) * all + std::sqrt(1 - common) * normal_(random_);
-                exact.push_back({float(e), 0});
-                noisy.push_back(
-                    {float(e * (1 + error * off)), float(t_ * e * error * std::sqrt(chi_(random_) / degrees))});
+                exact.sensors.push_back({float(e), 0});
+                add_sensor(e, 4 * error, 1 - of_hour - of_year, off, noisy);
             }
-            truth.hours.push_back({hour_number(int(h)), exact});
-            seen.hours.push_back({hour_number(int(h)), noisy});
+            truth.hours.push_back(exact);
+            seen.hours.push_back(noisy);
         }
     }
     Grid truth, seen;
 
 private:
-    static constexpr double degrees = 15;
-    const double t_ = uncertainty::student_quantile(.05, degrees) / 1.95996;
+    static constexpr size_t parts = 16;
+    void add_sensor(double e, double error, double own, const std::array<double, parts>& off, GridHour& hour) {
+        std::array<double, parts> part{};
+        double mean = 0, squares = 0;
+        for (size_t p = 0; p < parts; ++p) {
+            part[p] = e * (1 + error * (off[p] + std::sqrt(own) * normal_(random_)));
+            mean += part[p] / parts;
+        }
+        for (const double x : part) squares += (x - mean) * (x - mean) / (parts - 1) / parts;
+        std::vector<double> halves(uncertainty::half_samples, 0.);
+        for (size_t k = 0; k < halves.size(); ++k)
+            for (size_t p = 0; p < parts; ++p) halves[k] += weights_[k][p] * part[p];
+        hour.sensors.push_back({float(mean), float(std::sqrt(squares))});
+        hour.halves.push_back(uncertainty::halves_of(halves, uncertainty::strata).codes);
+    }
+
     size_t sensors_, hours_;
+    const std::vector<uncertainty::Weights> weights_ = [] {
+        std::vector<uncertainty::Weights> all;
+        for (int k = 0; k < uncertainty::half_samples; ++k)
+            all.push_back(uncertainty::half_sample(uncertainty::Frames(parts, 1), k));
+        return all;
+    }();
     std::mt19937 random_{1};
     std::normal_distribution<double> normal_;
-    std::chi_squared_distribution<double> chi_{degrees};
 };
 
 bool holds(const Between& interval, double truth) {
@@ -159,38 +182,81 @@ TEST_CASE("a sensor's count has the width of independent errors, its limits hold
           std::string::npos);
 }
 
+namespace {
+
+struct Coverage {
+    std::array<size_t, 7> held{};      // DA, sDA, ASE, UDI
+    size_t da = 0, sun = 0;            // of sensors
+    double spatial = 0, autonomy = 0;  // widths
+};
+
+Coverage study(SimulatedYears& simulated, const std::array<double, 3>& error, size_t years, bool by_halves) {
+    Coverage c;
+    Goals goals;
+    goals.sun_hours = 60;
+    for (size_t k = 0; k < years; ++k) {
+        simulated.draw(error[0], error[1], error[2]);
+        Grid grid = simulated.seen;
+        if (!by_halves) grid.shared = false, grid.strata = 0;
+        const GridYear truth = judge(simulated.truth, &simulated.truth, goals, .05),
+                       seen = judge(grid, &grid, goals, .05);
+        c.held[0] += holds(seen.autonomy, truth.autonomy.value);
+        c.held[1] += holds(seen.spatial, truth.spatial.value);
+        c.held[2] += holds(seen.exposed, truth.exposed.value);
+        for (size_t u = 0; u < usefulness_kinds; ++u) c.held[3 + u] += holds(seen.useful[u], truth.useful[u].value);
+        for (size_t i = 0; i < seen.sensors.size(); ++i) {
+            c.da += holds(seen.sensors[i].autonomy, truth.sensors[i].autonomy.value);
+            c.sun += holds(seen.sensors[i].sun_hours, truth.sensors[i].sun_hours.value);
+        }
+        c.spatial += (seen.spatial.high - seen.spatial.low) / double(years);
+        c.autonomy += (seen.autonomy.high - seen.autonomy.low) / double(years);
+    }
+    return c;
+}
+
+}  // namespace
+
 TEST_CASE("of simulated years, 93 % or more lie within the intervals of DA, sDA, UDI and ASE; of sensors, 93 %") {
     constexpr size_t years = 100, sensors = 20, hours = 300;
     SimulatedYears simulated(sensors, hours);
-    Goals goals;
-    goals.sun_hours = 60;
-    const std::pair<double, double> errors[] = {{.03, 0}, {.05, 1}, {.12, .1}};
-    for (const auto& [error, common] : errors) {
-        CAPTURE(error);
-        CAPTURE(common);
-        std::array<size_t, 7> held{};
-        size_t da = 0, sun = 0;
-        double width = 0;
-        for (size_t k = 0; k < years; ++k) {
-            simulated.draw(error, common);
-            const GridYear truth = judge(simulated.truth, &simulated.truth, goals, .05),
-                           seen = judge(simulated.seen, &simulated.seen, goals, .05);
-            held[0] += holds(seen.autonomy, truth.autonomy.value);
-            held[1] += holds(seen.spatial, truth.spatial.value);
-            held[2] += holds(seen.exposed, truth.exposed.value);
-            for (size_t u = 0; u < usefulness_kinds; ++u) held[3 + u] += holds(seen.useful[u], truth.useful[u].value);
-            for (size_t i = 0; i < sensors; ++i) {
-                da += holds(seen.sensors[i].autonomy, truth.sensors[i].autonomy.value);
-                sun += holds(seen.sensors[i].sun_hours, truth.sensors[i].sun_hours.value);
+    const std::array<double, 3> errors[] = {{.03, 0, 0}, {.05, 1, 0}, {.12, .1, 0}, {.04, .2, .5}};
+    for (const auto& error : errors)
+        for (const bool by_halves : {true, false}) {
+            if (!by_halves && error[2] > 0) continue;
+            CAPTURE(error[0]);
+            CAPTURE(error[1]);
+            CAPTURE(error[2]);
+            CAPTURE(by_halves);
+            const Coverage c = study(simulated, error, years, by_halves);
+            for (size_t k = 0; k < c.held.size(); ++k) {
+                CAPTURE(k);
+                CHECK(c.held[k] >= .93 * years - 2);
             }
-            width += (seen.spatial.high - seen.spatial.low) / years;
+            CHECK(c.da >= .93 * years * sensors);
+            CHECK(c.sun >= .93 * years * sensors);
+            CHECK(c.spatial <= .3);
         }
-        for (size_t k = 0; k < held.size(); ++k) {
-            CAPTURE(k);
-            CHECK(held[k] >= .93 * years - 2);
-        }
-        CHECK(da >= .93 * years * sensors);
-        CHECK(sun >= .93 * years * sensors);
-        CHECK(width <= .3);
-    }
+}
+
+TEST_CASE("half-samples know how far errors of sensors are alike; hours that share paths need them") {
+    SimulatedYears simulated(20, 300);
+    const std::array<double, 3> own{.05, .1, 0}, shared{.04, .2, .5};
+    CHECK(study(simulated, own, 20, true).autonomy < .6 * study(simulated, own, 20, false).autonomy);
+    const Coverage without = study(simulated, shared, 60, false), with = study(simulated, shared, 60, true);
+    CHECK(without.held[0] < .8 * 60);
+    CHECK(without.da < .85 * 60 * 20);
+    CHECK(with.held[0] >= .9 * 60);
+    CHECK(with.da >= .93 * 60 * 20);
+}
+
+TEST_CASE("an hour without values may be any: it widens every share by itself") {
+    Grid grid = ramp(1000, .01);
+    const GridYear all = judge(grid, nullptr, {}, .05);
+    for (Lux& e : grid.hours[500].sensors) e = {NAN, NAN};
+    const GridYear y = judge(grid, nullptr, {}, .05);
+    CHECK(y.missing == 1);
+    CHECK(y.autonomy.low == doctest::Approx(all.autonomy.low - .001));
+    CHECK(y.autonomy.high == doctest::Approx(all.autonomy.high));
+    CHECK(y.useful[below].low == doctest::Approx(all.useful[below].low));
+    CHECK(y.useful[below].high == doctest::Approx(all.useful[below].high + .001));
 }

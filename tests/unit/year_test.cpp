@@ -134,6 +134,39 @@ TEST_CASE("a year is the same whatever the certainty of the table's limits") {
     }
 }
 
+TEST_CASE("hours that share their paths are counted in half-samples, or not at all") {
+    TempFolder folder;
+    // Two half-samples of three have all hours above .40, or none.
+    const auto row = [](int day, const char* halves, const char* paths) {
+        char text[200];
+        std::snprintf(text, sizeof text, "8\t06%02d_1230\t.4%02d\t.3\t.5\t1e12\tDGPf=0.01/8%s\t%s\n", day, day % 5,
+                      halves, paths);
+        return std::string(text);
+    };
+    const auto year = [&](const std::string& rows) {
+        const std::string text = "frame\tsky\tDGPf\tDGPf.lo\tDGPf.hi\tpixels\terrors\tpaths\n";
+        return judge(read_tables({folder.holding("h.tsv", text + rows)}).views[0], .05);
+    };
+    std::string own, same, without = row(1, "", "1f2e3d4c"), other = row(1, "/A_A_A_A__A_A_A_A/8", "00000000");
+    for (int day = 2; day <= 30; ++day) {
+        own += row(day, "/A_A_A_A__A_A_A_A/8", "-"), same += row(day, "/A_A_A_A__A_A_A_A/8", "1f2e3d4c");
+    }
+    const Verdict apart = year(own), shared = year(same);
+    CHECK(shared.above[1].value == apart.above[1].value);
+    CHECK(shared.above[1].low == 0);
+    CHECK(shared.above[1].high == 29);
+    CHECK(apart.above[1].high - apart.above[1].low < 12);
+    CHECK(shared.exceeded.high - shared.exceeded.low > 1.5 * (apart.exceeded.high - apart.exceeded.low));
+    const auto said = [&](const std::string& rows) { return error_text([&] { year(rows); }); };
+    CHECK(said(same + without) ==
+          "0601_1230: has no half-samples, but hours of this year share their paths (vcmetrics -halves)");
+    CHECK(said(own + without).find("has no half-samples") != std::string::npos);
+    CHECK(said(same + other) ==
+          "0602_1230: and 0601_1230 share their paths with hours of two runs: seeds, frames or hours of them differ");
+    CHECK(year(own + other).above[1].high == 30);  // one hour that may share its paths, and does with none
+    CHECK(said(row(1, "/A_A_A/8", "-")).find("is not NAME=ERROR/DEGREES") != std::string::npos);
+}
+
 TEST_CASE("where every frame is at the cap there is a year; illuminance alone decides where it is above a limit") {
     TempFolder folder;
     const auto read = [&](const char* ev) {

@@ -58,6 +58,8 @@ void declare_output(OptionTable& t, Options& o) {
     t.add("-ci percent",
           "NAME.lo and NAME.hi after each column: the interval of the converged value, of this certainty",
           [&](Arguments& a) { o.ci = a.real(base::within(50, 99.99)) / 100; });
+    t.add("-halves", "Half-samples in the column errors, for vcyear; by itself with -last or -each of skies and hours",
+          o.halves);
     t.add("-against edit",
           "NAME.d, NAME.d.lo and NAME.d.hi: the difference from the previous or the first edit, or one that a file "
           "names",

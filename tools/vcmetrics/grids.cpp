@@ -16,6 +16,7 @@
 #include "report/errors.h"
 #include "report/sum.h"
 #include "run.h"
+#include "shared_paths.h"
 
 namespace {
 using namespace report;
@@ -57,17 +58,19 @@ std::vector<std::string> names_of_grids(const Options& o, const image::Header& h
     return names;
 }
 
-std::vector<std::string> names_of_points(bool by_number, bool skies) {
+std::vector<std::string> names_of_points(bool by_number, bool skies, bool paths) {
     std::vector<std::string> names = {"grid", "x", "y", "z", "dx", "dy", "dz", "E", "lo", "hi"};
     if (by_number) names = {"grid", "point", "E", "lo", "hi"};
     names.push_back(errors_column);
+    if (paths) names.push_back(paths_column);
     if (skies) names.insert(names.begin(), "sky");
     return names;
 }
 
-std::string errors_cell(const uncertainty::NoisyValues& v, size_t i) {
+std::string errors_cell(const uncertainty::NoisyValues& v, size_t i, bool halves) {
     std::string cell;
-    if (v.degrees > 0) add_error("E", {v.error[i], v.degrees}, cell);
+    if (v.degrees > 0)
+        add_error("E", {v.error[i], v.degrees, halves ? point_halves(v, i) : uncertainty::Halves{}}, cell);
     return cell.empty() ? "-" : cell;
 }
 
@@ -84,7 +87,8 @@ GridState begin(const Options& o, const image::Header& h, Progress progress) {
         for (const Tolerance& t : parse_tolerances(o.until, "-until"))
             for (const GridColumn& c : grid_columns({t.metric}, h.grids, "-until"))
                 s.rule.push_back(t), s.of_rule.push_back(c);
-    s.names = o.each ? names_of_points(s.points.empty(), !h.sky_name.empty()) : names_of_grids(o, h, s.columns);
+    s.names = o.each ? names_of_points(s.points.empty(), !h.sky_name.empty(), !h.shared_paths.empty())
+                     : names_of_grids(o, h, s.columns);
     return s;
 }
 
@@ -198,6 +202,8 @@ std::string rows_of_points(const Options& o, const GridState& s) {
             text += fmt::format("{:.6e}\t{:.6e}\t{:.6e}\t\n", double(s.rgb[3 * i]), double(s.rgb[3 * i + 1]),
                                 double(s.rgb[3 * i + 2]));
     if (!o.each) return text;
+    const bool halves = prints_halves(o, s.header);
+    const std::string paths = paths_of(s.header);
     for (size_t g = 0; g < grids.size(); ++g)
         for (size_t i = 0; i < grids[g].count; ++i) {
             std::vector<Cell> cells;
@@ -209,7 +215,8 @@ std::string rows_of_points(const Options& o, const GridState& s) {
                     for (const double x : {v.x, v.y, v.z}) cells.push_back(number_cell(x));
             const uncertainty::Interval limits = point_limits(s.grids[g], i, 1 - o.ci.value_or(.95));
             for (const double v : {s.grids[g].value[i], limits.low, limits.high}) cells.push_back(number_cell(v));
-            cells.push_back(text_cell(errors_cell(s.grids[g], i)));
+            cells.push_back(text_cell(errors_cell(s.grids[g], i, halves)));
+            if (!paths.empty()) cells.push_back(text_cell(paths));
             text += table_line(s.names, cells, o.format);
         }
     return text;

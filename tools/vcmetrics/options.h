@@ -38,6 +38,7 @@ struct Options {
     evalglare::Settings evalglare;
     std::string until;
     std::optional<double> ci;  // -ci: NAME.lo and NAME.hi, this certain (a share)
+    bool halves = false;       // -halves: half-samples beside each interval
     std::string against;       // -against: NAME.d and its interval; empty: none
     bool go_on = false;        // -go-on: -until ends nothing
     std::optional<int64_t> max_frames;

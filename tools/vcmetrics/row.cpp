@@ -142,6 +142,8 @@ RowText text_of(const Options& o, Heading heading, const RunState& run, const Ro
     std::vector<std::string> names = start_names(o, heading);
     const std::vector<std::string> more = o.list_sources ? source_names(o) : column_names(o, run.plan.columns);
     names.insert(names.end(), more.begin(), more.end());
+    heading.paths = heading.paths || !row.paths.empty();
+    if (heading.paths) names.push_back(paths_column);
     RowText out{heading, names != heading.names ? header_line(names, o.format) : "", ""};
     out.heading.names = names;
     const std::vector<std::vector<Cell>> lines =
@@ -150,6 +152,7 @@ RowText text_of(const Options& o, Heading heading, const RunState& run, const Ro
     for (const std::vector<Cell>& line : lines) {
         std::vector<Cell> cells = start_cells(o, heading, row);
         cells.insert(cells.end(), line.begin(), line.end());
+        if (heading.paths) cells.push_back(text_cell(row.paths.empty() ? "-" : row.paths));
         out.lines += table_line(names, cells, o.format);
     }
     return out;

@@ -10,6 +10,7 @@
 struct Heading {
     std::vector<std::string> names;                    // of the last one
     bool views = false, skies = false, edits = false;  // pictures are named, as those of ptrace -views, -sky, -watch
+    bool paths = false;                                // some of them share their paths
 };
 
 struct RowText {

@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "glare/formulas.h"
 #include "image/header.h"
+#include "shared_paths.h"
 
 using namespace glare;
 using namespace report;
@@ -45,6 +46,7 @@ Row row_of(const Options& o, const RunState& run, const image::Header& header, c
            Measurement m) {
     Row out;
     out.file = place.file, out.view = header.view_name, out.sky = header.sky_name, out.edit = header.edit;
+    out.paths = paths_of(header);
     out.frame = frame_number(header, place);
     out.may_brighten = !header.unknown.empty() || (header.frames == 0 && header.last_frame != 0);
     out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - run.start).count();
@@ -52,6 +54,7 @@ Row row_of(const Options& o, const RunState& run, const image::Header& header, c
         const Column& c = run.plan.columns[k];
         const uncertainty::Estimate& e = run.sum.look.estimate(k);
         out.numbers.push_back(header.unknown.empty() ? number_of(o, c, e, m, out.frame) : unknown_number(c));
+        if (prints_halves(o, header)) out.numbers.back().error.halves = halves_of(run.sum.look, k, c.noise);
         if (!o.against.empty()) out.differences.push_back(difference_of(o, run.edits.difference(k)));
         if (c.printed && e.unreliable) out.heavy_tailed += (out.heavy_tailed.empty() ? "" : " ") + c.name;
     }
