@@ -106,7 +106,7 @@ def test_beside_radiance(tmp_path, monkeypatch):
 def test_sensors(sky, tmp_path):
     rows = luxpipe.sensors(sky, [(0, 0, 0, 0, 0, 1), (1, 0, 0, 1, 0, 0)])
     rows = rows.to_dict("records") if hasattr(rows, "to_dict") else rows
-    assert list(rows[0]) == ["grid", "x", "y", "z", "dx", "dy", "dz", "E", "lo", "hi"]
+    assert list(rows[0]) == ["grid", "x", "y", "z", "dx", "dy", "dz", "E", "lo", "hi", "errors"]
     for row in rows:
         assert row["lo"] <= row["E"] <= row["hi"] and row["E"] == pytest.approx(179 * math.pi, rel=.02)
     for name in ("a", "b"):
