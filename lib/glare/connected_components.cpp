@@ -81,9 +81,20 @@ ConnectedComponents::ConnectedComponents(const Geometry& geometry, double reach)
 ConnectedComponents::CellLists ConnectedComponents::preceding(bool touching) const {
     std::vector<uint32_t> all(keys_.size());
     std::iota(all.begin(), all.end(), 0u);
+    std::vector<BoundaryPixel> pixels;
+    std::vector<size_t> end(keys_.size() + 1);  // of the pixels of the cell before
+    const bool few = cell_.size() <= 2 * keys_.size();
+    if (few) {
+        for (uint32_t p = 0; p < cell_.size(); ++p) pixels.push_back({p, 0}), ++end[cell_[p] + 1];
+        std::partial_sum(end.begin(), end.end(), end.begin());
+        std::sort(pixels.begin(), pixels.end(), [&](BoundaryPixel a, BoundaryPixel b) {
+            return std::make_pair(cell_[a.pixel], a.pixel) < std::make_pair(cell_[b.pixel], b.pixel);
+        });
+    }
     CellLists out;
     out.from.resize(keys_.size() + 1);
     for_preceding(keys_, all, touching, [&](uint32_t c, uint32_t o) {
+        if (few && !within_reach(pixels, end[c], end[c + 1], end[o], end[o + 1])) return;
         out.cells.push_back(o);
         ++out.from[c + 1];
     });
@@ -167,13 +178,20 @@ void ConnectedComponents::join_cells(std::vector<Run>& runs, const std::vector<B
     std::vector<BoundaryPixel> sorted(boundary.size());
     for (const BoundaryPixel& b : boundary) sorted[of[cell_[b.pixel]].end++] = b;
 
-    for (const uint32_t c : used)  // a cube is one piece
+    constexpr uint32_t none = UINT32_MAX;
+    std::vector<uint32_t> piece(keys_.size(), none);  // by used cell: a run of its component, mostly the root
+    for (const uint32_t c : used) {                   // a cube is one piece
         for (uint32_t k = of[c].first; k + 1 < of[c].end; ++k)
             if (sorted[k].run != sorted[k + 1].run) unite(runs, sorted[k].run, sorted[k + 1].run);
+        piece[c] = sorted[of[c].first].run;
+    }
     const auto join = [&](uint32_t c, uint32_t o) {
-        const uint32_t a = sorted[of[c].first].run, b = sorted[of[o].first].run;
-        if (root(runs, a) == root(runs, b)) return;
-        if (within_reach(sorted, of[c].first, of[c].end, of[o].first, of[o].end)) unite(runs, a, b);
+        if (piece[o] == none || piece[o] == piece[c]) return;
+        piece[c] = root(runs, piece[c]), piece[o] = root(runs, piece[o]);
+        if (piece[c] == piece[o]) return;
+        if (!within_reach(sorted, of[c].first, of[c].end, of[o].first, of[o].end)) return;
+        unite(runs, piece[c], piece[o]);
+        piece[c] = piece[o] = std::min(piece[c], piece[o]);
     };
     if (touching_.from.empty()) std::sort(used.begin(), used.end());
     for (const bool touching : {true, false}) {  // cells that do not touch last: most are joined by then
@@ -183,8 +201,7 @@ void ConnectedComponents::join_cells(std::vector<Run>& runs, const std::vector<B
             continue;
         }
         for (const uint32_t c : used)
-            for (uint32_t k = lists.from[c]; k < lists.from[c + 1]; ++k)
-                if (of[lists.cells[k]].end > 0) join(c, lists.cells[k]);
+            for (uint32_t k = lists.from[c]; k < lists.from[c + 1]; ++k) join(c, lists.cells[k]);
     }
 }
 
