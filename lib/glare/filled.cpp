@@ -2,11 +2,11 @@
 // See filled.h.
 #include "glare/filled.h"
 
-#include <algorithm>
+#include "base/wide.h"
 
 namespace glare {
 
-constexpr double least_share = 1e-9;  // least fraction: 1e-5 of the sun's fraction of a pixel of 3 degrees
+constexpr float least_share = 1e-9f;  // least fraction: 1e-5 of the sun's fraction of a pixel of 3 degrees
 
 Luminance FilledPixels::as(const Luminance& picture) {
     Luminance out = picture;
@@ -15,16 +15,24 @@ Luminance FilledPixels::as(const Luminance& picture) {
     return out;
 }
 
+namespace {
+// A pixel without variance, or without light, is taken as one of luminance 1, whose fraction is 1.
+WIDE_LOOP void fill(const float* moments, size_t n, float* grey, float* share) {
+    for (size_t i = 0; i < n; ++i) {
+        const float g = grey[i], v = moments[image::moment_numbers * i + image::moment_variance];
+        const double light = g > 0 ? 1. : 0., varies = v > 0 ? light : 0., m1 = varies * double(g) + (1 - varies);
+        const float rounded = float(m1 * m1 / (m1 * m1 + varies * double(v)));
+        share[i] = rounded > least_share ? rounded : least_share;
+        grey[i] = float(double(g) / double(share[i]));
+    }
+}
+}  // namespace
+
 FilledPixels filled_pixels(const Luminance& picture) {
     FilledPixels out;
     out.grey.assign(picture.grey, picture.grey + picture.size());
-    out.share.assign(picture.size(), 1.0f);
-    for (size_t i = 0; i < out.grey.size(); ++i) {
-        const double m1 = out.grey[i], v = (*picture.moments)[image::moment_numbers * i + image::moment_variance];
-        if (!(v > 0) || !(m1 > 0)) continue;
-        out.share[i] = float(std::max(least_share, m1 * m1 / (m1 * m1 + v)));
-        out.grey[i] = float(m1 / out.share[i]);
-    }
+    out.share.resize(picture.size());
+    fill(picture.moments->data(), picture.size(), out.grey.data(), out.share.data());
     return out;
 }
 

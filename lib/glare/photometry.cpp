@@ -2,6 +2,7 @@
 // Sums in four lanes, the maximum in eight (photometry.h).
 #include "glare/photometry.h"
 #include <algorithm>
+#include "base/wide.h"
 
 namespace glare {
 namespace {
@@ -11,7 +12,7 @@ struct Light {
     double eye = 0, all = 0;
 };
 
-Light light_of(const Luminance& lum, const Geometry& g) {
+WIDE_LOOP Light light_of(const Luminance& lum, const Geometry& g) {
     Light sum{0, 0};
     for (int r = 0; r < g.height; ++r)
         for (size_t s = g.row_spans[r]; s < g.row_spans[r + 1]; ++s) {
@@ -33,7 +34,7 @@ Light light_of(const Luminance& lum, const Geometry& g) {
     return sum;
 }
 
-float largest_grey(const Luminance& lum, const Geometry& g) {
+WIDE_LOOP float largest_grey(const Luminance& lum, const Geometry& g) {
     float top[8] = {};
     for (int r = 0; r < g.height; ++r)
         for (size_t s = g.row_spans[r]; s < g.row_spans[r + 1]; ++s) {

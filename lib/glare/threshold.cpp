@@ -3,7 +3,9 @@
 #include "glare/threshold.h"
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include "base/error.h"
+#include "base/wide.h"
 #include "glare/position_index.h"
 
 namespace glare {
@@ -27,6 +29,10 @@ bool outside_both_eyes(double sigma, double tau, double elevation) {
                                 : (68.227109 - 2.9524084 * c + 0.046674262 * c * c) /
                                       (1 - 0.042317294 * c + 7.5698419e-4 * c * c - 6.5364285e-7 * c * c * c);
     return sigma > limit;
+}
+
+WIDE_LOOP void compare(const float* values, size_t n, float limit, char* above) {
+    for (size_t i = 0; i < n; ++i) above[i] = values[i] > limit;
 }
 
 }  // namespace
@@ -63,22 +69,23 @@ double radius_in_pixels(const Geometry& g, double opening) {
 std::vector<Run> bright_runs(const Luminance& lum, const Geometry& g, double above) {
     std::vector<Run> runs;
     const float limit = grey_limit(above);
-    constexpr int block = 32;  // most pixels are dark: tested in blocks
-    const auto dark = [&](const float* values) {
-        int bright = 0;
-        for (int k = 0; k < block; ++k) bright |= values[k] > limit;
-        return !bright;
-    };
+    std::vector<char> bright(size_t(g.width));
     for (int r = 0; r < g.height; ++r) {
-        const float* row = lum.grey + size_t(r) * g.width;
-        for (size_t s = g.row_spans[r]; s < g.row_spans[r + 1]; ++s)
-            for (int x = g.spans[s].begin; x < g.spans[s].end; ++x) {
-                while (x + block < g.spans[s].end && dark(row + x)) x += block;
-                if (!(row[x] > limit)) continue;
-                const int begin = x;
-                while (x < g.spans[s].end && row[x] > limit) ++x;
-                runs.push_back({uint32_t(size_t(r) * g.width + begin), uint32_t(x - begin), 0});
+        const size_t row = size_t(r) * g.width;
+        const Span all = g.extent(r);
+        compare(lum.grey + row + all.begin, size_t(all.end - all.begin), limit, bright.data() + all.begin);
+        for (size_t s = g.row_spans[r]; s < g.row_spans[r + 1]; ++s) {
+            const char *const first = bright.data(), *const end = first + g.spans[s].end;
+            const auto next = [&](const char* from, char wanted) {
+                const auto* const at = std::memchr(from, wanted, size_t(end - from));
+                return at ? static_cast<const char*>(at) : end;
+            };
+            for (const char* at = next(first + g.spans[s].begin, 1); at < end;) {
+                const char* const dark = next(at, 0);
+                runs.push_back({uint32_t(row + size_t(at - first)), uint32_t(dark - at), 0});
+                at = next(dark, 1);
             }
+        }
     }
     return runs;
 }

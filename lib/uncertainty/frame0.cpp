@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/wide.h"
 #include "image/picture.h"
 
 namespace uncertainty {
@@ -30,19 +31,36 @@ std::vector<double> excess_of_first(const std::vector<image::Part>& parts, int64
     return out;
 }
 
+WIDE_LOOP void mean_of_nine(const float* values, const float* counts, size_t stride, size_t n, float* out) {
+    for (size_t x = 0; x < n; ++x) {
+        float sum = 0, pixels = 0;
+        for (size_t j = 0; j < 3; ++j)
+            for (size_t i = 0; i < 3; ++i) sum += values[j * stride + x + i], pixels += counts[j * stride + x + i];
+        out[x] = sum / (pixels > 1 ? pixels : 1.f);
+    }
+}
+
 std::vector<float> smoothed(const std::vector<float>& values, int width, int height, const std::vector<bool>& counts) {
-    std::vector<float> out(values.size());
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x) {
-            float sum = 0, pixels = 0;
-            for (int j = std::max(0, y - 1); j <= std::min(height - 1, y + 1); ++j)
-                for (int i = std::max(0, x - 1); i <= std::min(width - 1, x + 1); ++i) {
-                    const size_t near = size_t(j) * size_t(width) + size_t(i);
-                    if (counts[near]) sum += values[near], pixels += 1;
-                }
-            out[size_t(y) * size_t(width) + size_t(x)] = sum / std::max(pixels, 1.f);
-        }
+    const size_t w = size_t(width), stride = w + 2;  // around the picture nothing counts
+    std::vector<float> out(values.size()), counted(stride * (size_t(height) + 2)), one(counted.size());
+    for (size_t i = 0; i < values.size(); ++i)
+        if (counts[i]) counted[(i / w + 1) * stride + i % w + 1] = values[i], one[(i / w + 1) * stride + i % w + 1] = 1;
+    for (size_t y = 0; y < size_t(height); ++y)
+        mean_of_nine(&counted[y * stride], &one[y * stride], stride, w, &out[y * w]);
     return out;
+}
+
+WIDE_LOOP void add_share(double frames, double all, const float* grey, size_t n, double* mean) {
+    for (size_t i = 0; i < n; ++i) mean[i] += frames * double(grey[i]) / all;
+}
+
+// To the sum of squares about the mean, and to that of products with the excess.
+WIDE_LOOP void add_scatter(double frames, double excess, const float* grey, const double* mean, size_t n,
+                           double* scatter, double* product) {
+    for (size_t i = 0; i < n; ++i) {
+        const double d = double(grey[i]) - mean[i], weighted = frames * d;
+        scatter[i] += weighted * d, product[i] += weighted * excess;
+    }
 }
 }  // namespace
 
@@ -55,18 +73,19 @@ Frame0Error frame0_error(const std::vector<image::Part>& parts, int64_t m, int w
     mean /= n;
     for (size_t p = 0; p < x.size(); ++p) squares += double(parts[p].frames) * (x[p] - mean) * (x[p] - mean);
     if (!(squares > 0)) return {};
-    std::vector<float> excess(counts.size()), slope(counts.size()), slope_squares(counts.size());
-    for (size_t i = 0; i < excess.size(); ++i) {
-        double grey = 0, scatter = 0, product = 0;
-        for (size_t p = 0; p < x.size(); ++p) grey += double(parts[p].frames) * double(parts[p].grey[i]) / n;
-        for (size_t p = 0; p < x.size(); ++p) {
-            const double d = double(parts[p].grey[i]) - grey, weight = double(parts[p].frames);
-            scatter += weight * d * d, product += weight * d * (x[p] - mean);
-        }
-        const double rest = std::max(0.0, scatter - product * product / squares) / double(x.size() - 2);
-        slope[i] = float(product / squares);
+    const size_t pixels = counts.size();
+    std::vector<double> grey(pixels), scatter(pixels), product(pixels);
+    for (size_t p = 0; p < x.size(); ++p)
+        add_share(double(parts[p].frames), n, parts[p].grey.data(), pixels, grey.data());
+    for (size_t p = 0; p < x.size(); ++p)
+        add_scatter(double(parts[p].frames), x[p] - mean, parts[p].grey.data(), grey.data(), pixels, scatter.data(),
+                    product.data());
+    std::vector<float> excess(pixels), slope(pixels), slope_squares(pixels);
+    for (size_t i = 0; i < pixels; ++i) {
+        const double rest = std::max(0.0, scatter[i] - product[i] * product[i] / squares) / double(x.size() - 2);
+        slope[i] = float(product[i] / squares);
         slope_squares[i] = slope[i] * slope[i];
-        excess[i] = float(product * product / squares / squares - rest / squares);
+        excess[i] = float(product[i] * product[i] / squares / squares - rest / squares);
     }
     excess = smoothed(excess, width, height, counts), slope_squares = smoothed(slope_squares, width, height, counts);
     for (size_t i = 0; i < slope.size(); ++i)
@@ -77,13 +96,6 @@ Frame0Error frame0_error(const std::vector<image::Part>& parts, int64_t m, int w
 double missing_share(int64_t n, int64_t m) {
     const double seen = 2 / double(std::min({n, m, int64_t(image::most_parts)}));
     return (1 - seen) * std::pow(double(std::min(n, m)) / double(n), 2);
-}
-
-int random_sign(uint32_t pixel, int pair) {
-    uint32_t x = pixel * 2654435761u + 40503u;  // a hash: all of its bits depend on all of the pixel's
-    x = (x ^ (x >> 16)) * 0x85ebca6bu;
-    x = (x ^ (x >> 13)) * 0xc2b2ae35u;
-    return (x >> (24 + pair)) & 1 ? 1 : -1;
 }
 
 }  // namespace uncertainty

@@ -33,6 +33,11 @@ Frame0Error frame0_error(const std::vector<image::Part>& parts, int64_t m, int w
 double missing_share(int64_t n, int64_t m);
 
 // +1 or -1 of a pixel in a pair of images.
-int random_sign(uint32_t pixel, int pair);
+inline int random_sign(uint32_t pixel, int pair) {
+    uint32_t x = pixel * 2654435761u + 40503u;  // a hash: all of its bits depend on all of the pixel's
+    x = (x ^ (x >> 16)) * 0x85ebca6bu;
+    x = (x ^ (x >> 13)) * 0xc2b2ae35u;
+    return (x >> (24 + pair)) & 1 ? 1 : -1;
+}
 
 }  // namespace uncertainty
