@@ -50,6 +50,7 @@ Settings parse_settings(int argc, char** argv, uint64_t tries) {
     Settings s;
     s.tries = tries;
     s.bin = own_folder();
+    s.keep = fs::path(s.bin).parent_path() / "break-finds";
     for (int i = 1; i < argc; i += 2) {
         const std::string option = argv[i];
         if (i + 1 == argc) give_up(option + ": a value is missing");

@@ -3,7 +3,7 @@
 // All programs of tests/break take the same options:
 //   -tries N    how many (each has a number, from 0)          -seed S    other trials (1)
 //   -only K     only trial K, and say what happened         -limit S   seconds until a trial counts as a hang (30)
-//   -keep DIR   where the folders of finds stay (break-finds)
+//   -keep DIR   where the folders of finds stay (break-finds, beside the folder of the programs)
 // They run the tools that lie beside them.  Status 0: no find, 1: finds, 2: the campaign itself failed.
 #pragma once
 #include <functional>
@@ -19,8 +19,7 @@ struct Settings {
     uint64_t seed = 1, tries = 100;
     long only = -1;
     double limit_s = 30;
-    std::string keep = "break-finds";
-    std::string bin;  // folder of the tools
+    std::string keep, bin;  // bin: folder of the tools
     std::string tool(const std::string& name) const { return bin + "/" + name; }
     bool has(const std::string& name) const;
     bool tells() const { return only >= 0; }
