@@ -29,6 +29,13 @@ ptaccum -o '%s.exr' < all.str
 check 'headers have time, sun and irradiances' '
     strings all.str | grep -A 2 "^TIME= 21 Dec 12:30 UTC-7" | sed -n 2,3p | tr "\n" " " > is
     [ "$(cat is)" = "SUN= 26.41 187.96 IRRADIANCE= 700 90 " ] '
+check 'vcmetrics finds black pictures where an hour has light, not where it is dark or without values' '
+    render -wea y.wea 2> notes | ptaccum -last -o - | vcmetrics -metrics Ev 2> said > rows; [ ! -s said ]
+    printf "void plastic shut 0 0 5 0 0 0 0 0\nshut sphere s 0 0 4 $(
+        sed -n "s/.*-vp \([^ ]* [^ ]* [^ ]*\).*/\1/p" $office/view.vf) .1\n" > shut.rad
+    render -wea y.wea shut.rad 2> notes | ptaccum -last -o - | vcmetrics -metrics Ev 2> said > rows
+    grep -q "^vcmetrics: warning: 1221_0730: the picture is black: .* in a solid" said
+    tail -n 1 said | grep -q "is black: .*(2 times)$"; [ "$(wc -l < said)" = 2 ]'
 check 'an hour has the frames of a run for this hour alone' '
     render -wea y.wea -hours 1221_1230 | ptaccum -last -o alone_%s.exr
     [ "$(mkstream differ alone_1221_1230.exr 1221_1230.exr)" = 0 ]'

@@ -82,7 +82,7 @@ bool measures(const Options& o, GridState& state, image::Picture& picture, const
 void tell_if_black(const Row& last, const Row* next) {
     const bool same = next && next->file == last.file && next->view == last.view && next->sky == last.sky &&
                       next->edit == last.edit && next->frame > last.frame;
-    if (same || last.may_brighten || !is_black(last.measurement)) return;
+    if (same || last.may_be_black || !is_black(last.measurement)) return;
     std::string place = last.view + (last.view.empty() || last.sky.empty() ? "" : "_") + last.sky;
     if (place.empty()) place = last.file == "-" ? "stdin" : last.file;
     base::warn(place, std::string("the picture is black: ") + why_black);

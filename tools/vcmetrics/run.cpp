@@ -4,10 +4,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "base/error.h"
+#include "base/split.h"
 #include "glare/formulas.h"
 #include "image/header.h"
 #include "shared_paths.h"
@@ -42,13 +44,23 @@ Number unknown_number(const Column& c) {
     return n;
 }
 
+// ptrace -wea states the illuminances of each hour that has light (ptrace(1)).
+bool is_dark_hour(const image::Header& header) {
+    const auto states = [&](const char* name) {
+        return std::any_of(header.lines.begin(), header.lines.end(),
+                           [&](const std::string& line) { return base::begins_with(line, name); });
+    };
+    return states("IRRADIANCE= ") && !states("ILLUMINANCE= ");
+}
+
 Row row_of(const Options& o, const RunState& run, const image::Header& header, const PicturePlace& place,
            Measurement m) {
     Row out;
     out.file = place.file, out.view = header.view_name, out.sky = header.sky_name, out.edit = header.edit;
     out.paths = paths_of(header);
     out.frame = frame_number(header, place);
-    out.may_brighten = !header.unknown.empty() || (header.frames == 0 && header.last_frame != 0);
+    out.may_be_black =
+        !header.unknown.empty() || is_dark_hour(header) || (header.frames == 0 && header.last_frame != 0);
     out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - run.start).count();
     for (size_t k = 0; k < run.plan.columns.size(); ++k) {
         const Column& c = run.plan.columns[k];

@@ -49,7 +49,7 @@ struct Row {
     std::vector<Number> differences;  // likewise, with -against
     std::string heavy_tailed;         // names of columns
     bool settled = false;
-    bool may_brighten = false;  // the light of paths may come with later frames
+    bool may_be_black = false;  // no values, an hour without daylight, or the light of paths may come with later frames
     glare::Measurement measurement;
     Verdict verdict;
 };
