@@ -67,9 +67,16 @@ check 'a killed ptrace is an error of its reader; the picture so far is kept' '
     (render -frames 1000000 & p=$!; sleep 1.5; kill -9 $p) | ptaccum -last -o k.exr 2> said && exit 1
     grep -q "^ptaccum: stdin: \(ends after frame\|picture .* input ends\)" said;
     mkstream show k.exr | grep -q "RANGE=0:"'
-check_exit 'and of the metrics behind it' 1 '
-    (mkstream frames 0 8 32 32 | sed "s/^SEED=/LASTFRAME=99\n&/") | ptaccum 2> /dev/null | vcmetrics > t 2> said || {
-    s=$?; grep -q "^vcmetrics: stdin: ends after frame 8" said; exit 1; }'
+announced() { mkstream frames 0 8 32 32 | sed "s/^SEED=/LASTFRAME=99\n&/"; }
+check 'which is told once: the metrics behind it end with status 1 as well' '
+    { { announced | ptaccum | vcmetrics -W- > t; echo "${PIPESTATUS[*]}" > ends; } || :; } 2> said
+    [ "$(cat ends)" = "0 1 1" ]; cat said
+    [ "$(wc -l < said)" = 1 ]; grep -q "^ptaccum: stdin: ends after frame 8, .*up to 99" said; [ "$(wc -l < t)" = 10 ]'
+check 'a killed ptaccum is an error of the metrics' '
+    : > killed; mkfifo f; (announced; sleep 60) > f & feeder=$!
+    { ptaccum < f & sum=$!; for ((i = 0; i < 600; i++)); do [ "$(wc -l < killed)" = 10 ] && break; sleep .1; done; kill -9 $sum; } |
+        vcmetrics -W- > killed 2> said && exit 1
+    kill $feeder; cat said; [ "$(wc -l < said)" = 1 ]; grep -q "^vcmetrics: stdin: ends after frame 8, .*up to 99" said'
 
 check 'killed at random moments and resumed, a sum has every frame once' '
     mkstream frames 0 0 | ptaccum -last -o r.exr; kills=0
