@@ -52,11 +52,13 @@ check 'a change of a file of points begins the plan anew; a mistake in it is sai
     sed 1,9d good > new; mv new desk.pts; whole 1; told; batch 300 $scene | cmp - told
     mv good desk.pts; whole 2; told; batch 300 $scene | cmp - told; end'
 check 'points among the scene are no part of it; without points there is no plan' '
-    begin desk.pts; ask GET "/next?picture=99999" > news; ! grep -aq "plan.:null" news; whole 0; end
+    cp desk.pts desk.PTS; begin desk.PTS; ask GET "/next?picture=99999" > news; ! grep -aq "plan.:null" news; whole 0; end
     begin; ask GET "/next?picture=99999" > news; grep -aq "plan.:null" news; ! ask POST "/plan?limit=5"; end'
 check 'a folder of Honeybee has its points' '
-    cp -r "$TOP/examples/exports/honeybee" model; mkdir model/grid; cp desk.pts model/grid/room.pts
-    view= scene="model sky_day.rad"; begin; whole 0; grep -q "room.mean" plan; end'
+    cp -r "$TOP/examples/exports/honeybee" model; mkdir -p "model/grid/floor 1"
+    cp desk.pts "model/grid/floor 1/room.PTS"; view= scene="model sky_day.rad"
+    begin; whole 0; grep -q "floor_1_room.mean" plan; end; rm -r model/grid/floor*; touch model/grid/.x.pts
+    begin; ask GET "/next?picture=99999" > news; grep -aq "plan.:null" news; end'
 check 'a mistake in a file of points is one line, and the picture goes on' '
     printf "1 1 1 0 0 1\n1 1 1 0 0\n" > bad.pts; begin bad.pts
     await "state; [ \"\$(of_state ended)\" = true ]"; [ "$(of_state number)" = 0 ]
