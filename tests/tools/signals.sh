@@ -74,8 +74,8 @@ check 'which is told once: the metrics behind it end with status 1 as well' '
     [ "$(wc -l < said)" = 1 ]; grep -q "^ptaccum: stdin: ends after frame 8, .*up to 99" said; [ "$(wc -l < t)" = 10 ]'
 check 'a killed ptaccum is an error of the metrics' '
     : > killed; mkfifo f; (announced; sleep 60) > f & feeder=$!
-    { ptaccum < f & sum=$!; for ((i = 0; i < 600; i++)); do [ "$(wc -l < killed)" = 10 ] && break; sleep .1; done; kill -9 $sum; } |
-        vcmetrics -W- > killed 2> said && exit 1
+    { ptaccum < f & sum=$!; for ((i = 0; i < 600; i++)); do [ "$(wc -l < killed)" = 10 ] && break; sleep .1; done
+      kill -9 $sum; } | vcmetrics -W- > killed 2> said && exit 1
     kill $feeder; cat said; [ "$(wc -l < said)" = 1 ]; grep -q "^vcmetrics: stdin: ends after frame 8, .*up to 99" said'
 
 check 'killed at random moments and resumed, a sum has every frame once' '
