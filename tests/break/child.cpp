@@ -154,6 +154,7 @@ Result run(const Job& job) {
         if (WIFEXITED(how)) e.status = WEXITSTATUS(how);
         else e.signal = WTERMSIG(how);
         e.unavailable = e.status == unavailable_status;
+        for (const Ended& before : result.stages) e.behind_error |= before.status == 1 || before.status == 2;
         result.stages.push_back(e);
     }
     if (!is_gone(pids[0])) {
@@ -211,7 +212,8 @@ std::string complaint(const Ended& e) {
         if (line.compare(e.tool.size() + 2, 9, "warning: ") != 0) ++errors;
     }
     if (e.status == 0 && errors) return e.tool + ": an error, but status 0";
-    if ((e.status == 1 || e.status == 2) && errors != 1)
+    const bool is_told = e.behind_error && e.status == 1 && errors == 0;
+    if ((e.status == 1 || e.status == 2) && errors != 1 && !is_told)
         return e.tool + ": " + std::to_string(errors) + " lines for an error, not one";
     return "";
 }

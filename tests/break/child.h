@@ -27,7 +27,8 @@ struct Ended {
     std::string tool;             // ptrace, ptaccum ...
     int status = -1, signal = 0;  // one of the two
     bool hung = false, unavailable = false;
-    std::string talk;  // stderr
+    bool behind_error = false;  // a program before it in the pipe failed, and has said why
+    std::string talk;           // stderr
 };
 
 struct Result {
@@ -51,7 +52,8 @@ constexpr bool bears_little_memory = true;
 bool limit_memory(size_t megabytes);
 
 // What is wrong with how a program ended, whatever it was asked: a signal, a sanitizer's report, a hang, a status that
-// no manual page knows, an error that is not one plain line "tool: place: fact".  Empty: nothing.
+// no manual page knows, an error that is not one plain line "tool: place: fact" (behind an error, one line or none).
+// Empty: nothing.
 std::string complaint(const Ended& ended);
 std::string complaint(const Result& result);  // of all stages
 
