@@ -52,10 +52,11 @@ check 'a broken scene is said once with its place, the last good one goes on, an
     [ "$(cat said)" = "ptrace: inner.rad:3: modifier \"wal\" is not defined" ]; [ "$(edits)" = "EDIT=0 start " ]
     sed s/wal\ /wall\ / inner.rad > t; mv t inner.rad; await "grep -aq ^EDIT=1 f"; settle; end
     [ $(wc -l < said) = 1 ]; as_alone "$eye"; cp good inner.rad'
-check 'a file that comes to be earlier on RAYPATH is taken' '
-    mkdir -p first; rm -f first/f.cal; export RAYPATH=first:.; begin -watch $eye
+check 'a file that comes to be earlier on RAYPATH, or beside the file that names it, is taken' '
+    mkdir first last; mv f.cal last; export RAYPATH=first:last; begin -watch $eye
     await "[ -s f ] && [ \$(frames) -gt 3 ]"
-    echo "v = .1;" > first/f.cal; await "grep -aq ^EDIT=1 f"; settle; end; as_alone "$eye"'
+    echo "v = .1;" > first/f.cal; await "grep -aq ^EDIT=1 f"; settle
+    echo "v = .2;" > f.cal; await "grep -aq ^EDIT=2 f"; settle; end; as_alone "$eye"'
 mkdir grid
 watch_points() {
     printf "1 0 1 0 0 1\n" > grid/a.pts; begin -watch -points grid; await "[ -s f ] && [ \$(frames) -gt 3 ]"
