@@ -80,6 +80,17 @@ public:
             kernels_.run(tables, par, par.first + first, count, scratch, film);
         });
     }
+    void run_hours(const Params& par, HourPaths& out) override {
+        out = {};
+        out.rest.resize(size_t(kernels::film_places(&par)) * 3);
+        const kernels::SceneTables tables = tables_of(*scene_, par);
+        std::vector<HourPaths> parts((par.path_count + REUSE_SQUARE - 1) / REUSE_SQUARE);
+        tiles(par.path_count, [&](uint32_t first, uint32_t count, char* scratch) {
+            float* film = par.reuse_path_count != 0 ? out.rest.data() : &out.rest[size_t(first) * 3];
+            kernels_.run_hours(tables, par, par.first + first, count, scratch, film, parts[first / REUSE_SQUARE]);
+        });
+        for (HourPaths& part : parts) out.append(std::move(part));
+    }
     void splat(const Params& par, const std::vector<SplatRay>& rays, std::vector<float>& rgb) override {
         rgb.resize(rays.size() * 3);
         const kernels::SceneTables tables = tables_of(*scene_, par);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include "kernels/dialect/host.h"
 #include "device/given_rays.h"
+#include "device/hour_paths.h"
 
 namespace device {
 
@@ -13,6 +14,9 @@ struct CpuKernels {
     // pass's (kernels/integrator/path_reuse.h).  scratch: scratch_bytes(count).
     void (*run)(const kernels::SceneTables& s, const kernels::Params& par, uint32_t first, uint32_t count,
                 char* scratch, float* film);
+    // The same of paths for many hours; out: of these paths.
+    void (*run_hours)(const kernels::SceneTables& s, const kernels::Params& par, uint32_t first, uint32_t count,
+                      char* scratch, float* film, HourPaths& out);
     // The same for given rays; rays, rgb and ends of the whole pass.
     void (*splat)(const kernels::SceneTables& s, const kernels::Params& par, const SplatRay* rays, uint32_t first,
                   uint32_t count, char* scratch, float* rgb);

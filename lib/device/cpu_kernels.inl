@@ -16,6 +16,7 @@ using namespace kernels;
 #include "device/cpu_tile.h"
 #include "device/cpu_connections.h"
 #include "device/cpu_backend.h"
+#include "device/cpu_hours.h"
 #ifdef LANE_CALL
 #include "device/cpu_lanes.h"
 #endif
@@ -26,6 +27,18 @@ static void run(const SceneTables& s, const Params& par, uint32_t first, uint32_
     TileBackend<STAGES> backend{t};
     device::run_paths(backend, par.reuse_path_count != 0);
     store(t, film);
+}
+
+template <class STAGES>
+static void run_hours(const SceneTables& s, const Params& par, uint32_t first, uint32_t count, char* scratch,
+                      float* film, device::HourPaths& out) {
+    Tile t = carve(s, par, first, count, scratch);
+    HoursBackend<STAGES> backend(t);
+    device::run_paths(backend, par.reuse_path_count != 0);
+    store(t, film);
+    backend.found.sort(2 * count, out);
+    keep_skies(t, out);
+    keep_shares(t, out);
 }
 
 static void splat(const SceneTables& s, const Params& par, const device::SplatRay* rays, uint32_t first, uint32_t count,
@@ -65,8 +78,8 @@ namespace device {
 #define LUX_PASTE(a, b) LUX_PASTE_(a, b)
 #define LUX_KERNELS(name, STAGES) \
     {                             \
-        name, LUX_ISA::run<LUX_ISA::STAGES>, LUX_ISA::splat, LUX_ISA::pilot<LUX_ISA::STAGES>, LUX_ISA::scratch_bytes, \
-            LUX_ISA::STAGES::layout                                                                                   \
+        name, LUX_ISA::run<LUX_ISA::STAGES>, LUX_ISA::run_hours<LUX_ISA::STAGES>, LUX_ISA::splat,     \
+            LUX_ISA::pilot<LUX_ISA::STAGES>, LUX_ISA::scratch_bytes, LUX_ISA::STAGES::layout \
     }
 #ifdef LUX_ISA_NAME
 extern const CpuKernels LUX_PASTE(cpu_, LUX_ISA);

@@ -11,7 +11,7 @@ void LANE_CALL(shade)(const SceneTables* s, const Params* par, const Paths* path
                       int* result);
 void LANE_CALL(shadow)(const SceneTables* s, const Params* par, const Paths* paths, const uint32_t* queue, uint32_t n,
                        const int* known);
-void LANE_CALL(suffix_roulette)(const Paths* paths);
+void LANE_CALL(suffix_roulette)(const Params* par, const Paths* paths);
 void LANE_CALL(transmittance)(const SceneTables* s, const Params* par, const Paths* paths, const uint32_t* connections,
                               uint32_t n);
 void LANE_CALL(connect)(const SceneTables* s, const Params* par, const Paths* paths);
@@ -94,7 +94,7 @@ struct InLanes {
         LANE_CALL(shade)(t.s, &t.par, &t.paths, t.now, t.n, t.result);
     }
     static void shadow(Tile& t) { LANE_CALL(shadow)(t.s, &t.par, &t.paths, t.shadow, t.shadows, t.result); }
-    static void suffix_roulette(Tile& t) { LANE_CALL(suffix_roulette)(&t.paths); }
+    static void suffix_roulette(Tile& t) { LANE_CALL(suffix_roulette)(&t.par, &t.paths); }
     static void transmittance(Tile& t, const uint32_t* connections, uint32_t n) {
         LANE_CALL(transmittance)(t.s, &t.par, &t.paths, connections, n);
     }

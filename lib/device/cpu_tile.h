@@ -81,7 +81,7 @@ struct OneByOne {
     }
     // of a square, as all that follow
     static void suffix_roulette(Tile& t) {
-        of_groups([&](uint32_t first, uint32_t which) { path_suffix_roulette(&t.paths, first, which); });
+        of_groups([&](uint32_t first, uint32_t which) { path_suffix_roulette(&t.par, &t.paths, first, which); });
     }
     static void transmittance(Tile& t, const uint32_t* which, uint32_t n) {
         for (uint32_t i = 0; i < n; i++)

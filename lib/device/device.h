@@ -10,6 +10,7 @@
 #include "kernels/dialect/host.h"
 #include "flatten/flat_scene.h"
 #include "device/given_rays.h"
+#include "device/hour_paths.h"
 
 namespace device {
 
@@ -37,6 +38,8 @@ public:
     // Runs par.path_count paths; rgb gets 3 floats for each path or, with path reuse, for each sample of the picture's
     // pixels.
     virtual void run(const Params& par, std::vector<float>& rgb) = 0;
+    // The same of paths for many hours (PF_HOURS).
+    virtual void run_hours(const Params& par, HourPaths& out) = 0;
     // MODE_SPLAT: radiance times weight for each ray, 3 floats each.
     virtual void splat(const Params& par, const std::vector<SplatRay>& rays, std::vector<float>& rgb) = 0;
     // MODE_PILOT: the end of the pilot path of each ray.

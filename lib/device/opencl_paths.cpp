@@ -136,6 +136,25 @@ void OpenclPaths::shade() {
     stage(STAGE_shade, active_, counters_, now_, next_, shadow_queue_);
 }
 
+void OpenclPaths::suns(uint32_t suns, std::vector<uint32_t>& queue, std::vector<float>& rows) {
+    uint32_t n = 0;
+    queue_.enqueueReadBuffer(counters_, CL_TRUE, 0, 4, &n);
+    queue.resize(n);
+    rows.resize(size_t(n) * suns * 6);
+    if (rows.empty()) return;
+    wide_ = room(rows.size(), 4);
+    stage(STAGE_suns, n, counters_, now_, wide_);
+    queue_.enqueueReadBuffer(now_, CL_TRUE, 0, 4 * size_t(n), queue.data());
+    queue_.enqueueReadBuffer(wide_, CL_TRUE, 0, 4 * rows.size(), rows.data());
+}
+
+void OpenclPaths::suffix_shares(std::vector<float>& shares) {
+    shares.resize(size_t(count_) * REUSE_GROUP * 3);
+    wide_ = room(shares.size(), 4);
+    stage(STAGE_suffix_shares, count_, wide_);
+    queue_.enqueueReadBuffer(wide_, CL_TRUE, 0, 4 * shares.size(), shares.data());
+}
+
 void OpenclPaths::shadow() { stage(STAGE_shadow, active_, counters_, shadow_queue_); }
 
 void OpenclPaths::next_bounce() {

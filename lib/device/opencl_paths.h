@@ -20,7 +20,7 @@ enum { PATH_STATE(LUX_FIELD_NUMBER) PATH_FIELDS };
 // clang-format off
 #define LUX_STAGES(S)                                                                                           \
     S(generate) S(extend) S(count_kinds) S(begin_kinds) S(sort_kinds) S(sky) S(shade) S(shadow) S(swap) S(splat) \
-    S(pilot) S(suffix_roulette) S(connection) S(transmittance) S(connect) S(normalise_mis) S(gather) S(film)
+    S(suns) S(suffix_shares) S(pilot) S(suffix_roulette) S(connection) S(transmittance) S(connect) S(normalise_mis) S(gather) S(film)
 // clang-format on
 #define LUX_STAGE_NUMBER(name) STAGE_##name,
 enum { LUX_STAGES(LUX_STAGE_NUMBER) STAGES };
@@ -66,6 +66,11 @@ public:
     void normalise_mis() { stage(STAGE_normalise_mis, count_); }
     void gather() { stage(STAGE_gather, count_); }
 
+    // For many hours: responses of the queue's paths to so many suns, 6 floats each (k_suns), and those paths; the shares
+    // of their groups' suffix vertices.
+    void suns(uint32_t suns, std::vector<uint32_t>& queue, std::vector<float>& rows);
+    void suffix_shares(std::vector<float>& shares);
+
     // Adds the paths' radiance to the film, 3 floats each, in its order (kernels/integrator/path_reuse.h), on the
     // device, because the host would take as long as a GPU takes for the rest.
     void store(const kernels::Params& par);
@@ -109,6 +114,7 @@ private:
     cl::CommandQueue queue_;
     Stage stages_[STAGES];
     cl::Buffer tables_[TABLES], fields_[PATH_FIELDS];
+    cl::Buffer wide_;  // of what many hours ask
     cl::Buffer params_, counters_, kinds_, now_, next_, shadow_queue_, sorted_, film_, pinned_;
     size_t film_bytes_ = 0;
     char* pinned_at_ = nullptr;  // where the host sees pinned_

@@ -76,6 +76,7 @@ struct FlatScene : kernels::FlatTables {
     uint32_t shadow_mode = 0;   // SHADOW_* of tables.h
     void shadows_need(uint32_t mode) { shadow_mode = std::max(shadow_mode, mode); }
     bool antimatter = false;
+    uint32_t hours_sky_at = 0;  // of many hours: their sky is in `distant`, from this one on
     bool sky_places = false;  // what is far away looks different from place to place
     bool absorbs = false;     // some segment may lie in an absorbing medium
     bool functions = false;   // some material's lobes are .cal functions or tables

@@ -90,6 +90,40 @@ __kernel void k_shade(ALL_ARGS, __global uint *counters, __global const uint *qu
     push((result & PATH_SHADOW) != 0, path, &counters[2], shadow, shadowed);
 }
 
+// Responses to the suns of many hours (integrator/hours.h), before k_shade: of each path of the queue and each sun 6
+// floats, those of path_sun() times their weight.
+__kernel void k_suns(ALL_ARGS, __global const uint *counters, __global const uint *queue, __global float *rows) {
+    SET_UP
+    if (i >= counters[0]) return;
+    Vertex vertex;
+    int lit = sun_vertex(&s, par, &paths, queue[i], &vertex);
+    SunSampling sampling = sun_sampling(par, &vertex);
+    int through = lit && lobes_transmit(&vertex.lobes);
+    AskedSuns asked = asked_suns(&s, par, queue[i]);
+    for (uint sun = 0; sun < par->suns_count && !asked.all; sun++)
+        for (uint k = 0; k < 6; k++) rows[6 * ((size_t)i * par->suns_count + sun) + k] = 0.0f;
+    for (uint k = 0; k < asked.count; k++) {
+        uint sun = asked_sun(&s, &asked, k);
+        float3 own = F3(0.0f, 0.0f, 0.0f), shared = own;
+        if (lit && samples_sun(&sampling, &s.suns[sun])) {
+            float3 way = sun_way(&s.suns[sun], sampling.place);
+            if (through || dot3(way, vertex.g.ng) > 0.0f)
+                path_sun(&s, par, &vertex, sun, way, SHADOW_TO_TRACE, &own, &shared);
+        }
+        size_t at = 2 * ((size_t)i * par->suns_count + sun);
+        vstore3(scale3(own, (float)sampling.step), at, rows);
+        vstore3(scale3(shared, (float)sampling.step), at + 1, rows);
+    }
+}
+
+// Shares of the suffix vertices of a path's group in its light.
+__kernel void k_suffix_shares(ALL_ARGS, __global float *shares) {
+    SET_UP
+    if (i >= par->path_count) return;
+    for (uint m = 0; m < REUSE_GROUP; m++)
+        vstore3(path_share_of_suffix(&paths, reuse_first(i), m, reuse_which(i)), (size_t)i * REUSE_GROUP + m, shares);
+}
+
 // Paths without a hit, if k_shade leaves them (HAS(SKY)): a sky may be a long program, which would cost registers for
 // surfaces.
 __kernel void k_sky(ALL_ARGS, __global uint *counters, __global const uint *queue) {
@@ -104,7 +138,7 @@ __kernel void k_shadow(ALL_ARGS, __global uint *counters, __global const uint *s
 
 __kernel void k_suffix_roulette(ALL_ARGS) {
     SET_UP
-    if (i < par->path_count) path_suffix_roulette(&paths, reuse_first(i), reuse_which(i));
+    if (i < par->path_count) path_suffix_roulette(par, &paths, reuse_first(i), reuse_which(i));
 }
 
 __kernel void k_connection(ALL_ARGS) {

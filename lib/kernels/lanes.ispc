@@ -28,8 +28,8 @@ export void LANE_CALL(shadow)(TABLES(const SceneTables) s, PARAMS(const Params) 
     for (uniform uint group = 0; group < REUSE_GROUPS; group++) \
         foreach (which = 0 ... REUSE_GROUP) stage
 
-export void LANE_CALL(suffix_roulette)(TABLES(const Paths) paths) {
-    OF_GROUPS(path_suffix_roulette(paths, REUSE_FIRST(group), which));
+export void LANE_CALL(suffix_roulette)(PARAMS(const Params) par, TABLES(const Paths) paths) {
+    OF_GROUPS(path_suffix_roulette(par, paths, REUSE_FIRST(group), which));
 }
 
 // connections: paths and members of their groups, path * REUSE_GROUP + member.

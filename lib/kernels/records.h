@@ -136,6 +136,7 @@ STRUCT(Source) {
     uint fan_count;
     uint sheared;  // 1 = a sphere or a distant source seen through a prism: u, v, normal are its axes
     uint covered;  // 1 = another surface lies in its plane and may hide a part of it
+    uint hour;     // suns of many hours: a number that decides the random ones, whatever other hours there are
 };
 #define SK_DISTANT 0u
 #define SK_PARALLELOGRAM 1u
@@ -239,6 +240,7 @@ STRUCT(FocusEntry) {
     uint pixel;
     uint spp;   // samples of the pixel in each frame
     uint from;  // the entry's are from .. from + Params.spp - 1
+    uint suns_at, suns;  // PF_ASKS: the suns that it asks are in `asked`
 };
 
 // State of the mixture's techniques (sampling/mixture.h) at a point.  Path reuse stores it whole at each prefix
@@ -281,7 +283,9 @@ STRUCT(Mixture) {
     TABLE(uint, drawn)        /* of an active source: what frame 0 holds by area, DRAWN_* */ \
     TABLE(SunImage, sun_images)                                                             \
     TABLE(PointRay, points)                                                                 \
-    TABLE(FocusEntry, focus)
+    TABLE(FocusEntry, focus)                                                                \
+    TABLE(Source, suns)       /* of many hours (integrator/hours.h) */                      \
+    TABLE(uint, asked)        /* of these */
 #define SCENE_TABLES(TABLE) BVH_TABLES(TABLE) FLAT_TABLES(TABLE) VIEW_TABLES(TABLE)
     // clang-format on
 

@@ -58,6 +58,9 @@ FN uint material_has(uint type, uint trait) { return material_traits[type - M_FI
 #define DRAWN_STRAIGHT 1u  // along the eye's straight rays
 #define DRAWN_IMAGES 2u    // mirrored or refracted, in SceneTables.sun_images
 
+// Number of a shadow ray's source: one of the suns of many hours, radiance 1 (integrator/hours.h).
+#define SUN_OF_HOUR 0x80000000u
+
 // Parameters of a pass besides the tables; one block, uploaded per pass.
 STRUCT(Params) {
     // view
@@ -91,6 +94,8 @@ STRUCT(Params) {
     float portal_least, portal_most;  // mixture weight of portals, where there are any
     uint spp, focus_at;     // samples of a pixel in a frame; above 1: of the pixels in `focus` from focus_at on
     uint reuse_path_count;  // of a sample whose paths share their suffix vertices (path_reuse.h); 0: none does
+    uint suns_step, suns_step_eye;  // of the suns of many hours a vertex asks each n-th, n a power of two (hours.h)
+    uint hours_sky_at;              // the sky of the hours is in distant, from this one on
     uint redraw;            // not 0: other random numbers than usual, except for the point in the pixel and on the lens
     VIEW_TABLES(TABLE_COUNT)
     float portal_light[MOST_PORTALS];  // per unit of its view
@@ -124,5 +129,7 @@ FN void record_sizes(GLOBAL uint* UNIFORM sizes) { RECORDS }
 #define PF_SKY_PLACES 8u       // distant surfaces look different from place to place
 #define PF_EYE_ON_SURFACE 16u  // rays of the eye may begin on a surface, which they must not hit
 #define PF_SENSORS 64u         // paths begin on the points, as on white diffuse surfaces; else as rays from them
+#define PF_HOURS 128u          // paths for many hours (integrator/hours.h)
+#define PF_ASKS 256u           // a pixel of `focus` asks suns of its own
 #define PF_DIRECTIONS 32u      // MODE_IMAGE: in place of light, the direction in which a bent path leaves the scene
 #endif

@@ -46,6 +46,8 @@ void draw_point(FrameZero& zero, std::vector<double>& sum, uint32_t pixel, const
     to.sum += y, to.right += y * double(right), to.up += y * double(up), to.squares += weight * a * b;
 }
 
+}  // namespace
+
 void draw_sources(device::Device& device, const ViewPlan& plan, FrameZero& zero) {
     const SplatList& list = plan.drawn.straight;
     const std::vector<ImagePoint> images = draw_images(device, plan.sampling.params, plan.view, plan.drawn.images);
@@ -65,7 +67,6 @@ void draw_sources(device::Device& device, const ViewPlan& plan, FrameZero& zero)
         draw_point(zero, sum, i.pixel, i.first, i.second, double(i.weight), i.right, i.up);
     zero.exact.assign(sum.begin(), sum.end());
 }
-}  // namespace
 
 // Samples beyond m come after all frames in the sequence, so that no frame repeats them.
 int64_t first_sample_of_zero(const ViewPlan& plan) { return plan.samples_of_zero > plan.m ? int64_t(1) << 31 : 0; }

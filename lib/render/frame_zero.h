@@ -25,6 +25,8 @@ struct FrameZero {
 
 FrameZero draw_frame_zero(device::Device& device, const ViewPlan& plan);
 
+// Adds what is drawn by area to one that has none.
+void draw_sources(device::Device& device, const ViewPlan& plan, FrameZero& zero);
 // Number of its first sample.
 int64_t first_sample_of_zero(const ViewPlan& plan);
 // Light along the rays to splatted emitters, 3 floats each.

@@ -31,7 +31,7 @@ DiffusePlan learn(device::Device& device, const ViewPlan& plan) {
             if (spp[pixel] == 0 || fewer != (spp[pixel] < uint32_t(plan.m))) continue;
             noisy.pixels.push_back(pixel);
             for (uint32_t from = 0; from < spp[pixel]; from += least_spp)
-                some.entries.push_back({pixel, spp[pixel], from});
+                some.entries.push_back({pixel, spp[pixel], from, 0, 0});
         }
         if (noisy.pixels.empty()) continue;
         out.sampling = with_several(std::move(out.sampling), std::move(some));

@@ -2,6 +2,8 @@
 // See loaded_scene.h.
 #include "render/loaded_scene.h"
 
+#include <algorithm>
+
 #include "render/fingerprint.h"
 #include "sampling/suns.h"
 #include "sampling/targets.h"
@@ -42,6 +44,7 @@ LoadedScene load_scene(const scene::Scene& scene, const RenderOptions& options, 
     LoadedScene out;
     flatten::FlatScene flat;
     const auto light = [&](const LoadedRoom& room, flatten::Room surfaces) {
+        out.mirrors_sources = !surfaces.relays.empty();
         flat = flatten::add_distant(std::move(surfaces), scene, options, files);
         if (options.sampling != Sampling::plain) sampling::find_targets(flat, room.windows);
         if (!sampling::suns_of(flat).empty()) out.smooth = room.smooth;
@@ -54,6 +57,9 @@ LoadedScene load_scene(const scene::Scene& scene, const RenderOptions& options, 
         if (options.keep_room) out.room = std::make_shared<const LoadedRoom>(room);
         light(room, std::move(room.surfaces));
     }
+    const auto of_sky = [&](uint32_t object) { return object >= options.sky_from; };
+    flat.hours_sky_at = uint32_t(std::find_if(flat.distant_object.begin(), flat.distant_object.end(), of_sky) -
+                                 flat.distant_object.begin());
     out.geometry = hash_of_geometry(flat);
     flat.keep_tables_only();
     out.tables = std::make_shared<const flatten::FlatScene>(std::move(flat));

@@ -25,6 +25,7 @@ struct LoadedRoom {
 
 struct LoadedScene {
     std::shared_ptr<const flatten::FlatScene> tables;
+    bool mirrors_sources = false;            // some of its surfaces make virtual sources
     base::Hash geometry;                     // of the fingerprint
     sampling::SmoothSurfaces smooth;         // that may mirror its sun, if it has one
     std::shared_ptr<const LoadedRoom> room;  // with RenderOptions::keep_room

@@ -41,6 +41,10 @@ public:
         attempt([&] { device_->run(par, rgb); });
         has_run_ = true;
     }
+    void run_hours(const Params& par, device::HourPaths& out) override {
+        attempt([&] { device_->run_hours(par, out); });
+        has_run_ = true;
+    }
     void splat(const Params& par, const std::vector<device::SplatRay>& rays, std::vector<float>& rgb) override {
         attempt([&] { device_->splat(par, rays, rgb); });
     }

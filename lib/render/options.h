@@ -44,6 +44,7 @@ struct RenderOptions : flatten::Options {  // which has -dr and -bv
     bool more_if_small = true;  // small pictures have several times as many
     double noisy_share = .15;   // samples for noisy pixels, over those of the picture (noisy.h)
     std::string room_text;      // hash of the room's objects (loaded_scene.h); empty: there is one sky
+    size_t sky_from = 0;        // object of the scene at which its sky begins
     bool keep_room = false;     // for other skies
     bool tell_limit = false;    // warn of what -ab leaves out (beyond_limit.h)
 };

@@ -140,11 +140,10 @@ std::vector<uint32_t> places_of_pixels(const FrameZero& zero, int nx, int ny) {
     return places;
 }
 
-image::Moments pixel_moments(device::Device& device, const ViewPlan& plan, const FrameZero& zero) {
-    const auto nx = int(plan.sampling.params.nx), ny = int(plan.sampling.params.ny);
+image::Moments moments_of(const FrameZero& zero, int nx, int ny, const std::vector<uint32_t>& places,
+                          const PairsOf& pairs_of) {
     std::vector<float> out(image::moment_numbers * zero.spread.size(), 0.0f);
     std::vector<Glint> glints(zero.spread.size());
-    const std::vector<uint32_t> places = places_of_pixels(zero, nx, ny);
     std::map<uint32_t, std::vector<uint32_t>> alike;  // pixels by number of places
     for (uint32_t i = 0; i < places.size(); i++)
         if (places[i] > 0) alike[places[i]].push_back(i);
@@ -153,11 +152,11 @@ image::Moments pixel_moments(device::Device& device, const ViewPlan& plan, const
         for (size_t first = 0; first < pixels.size(); first += step) {
             const std::vector<uint32_t> some(pixels.begin() + long(first),
                                              pixels.begin() + long(std::min(pixels.size(), first + step)));
-            const std::vector<float> a = run_places(device, plan.sampling, some, n, 0),
-                                     b = run_places(device, plan.sampling, some, n, 1);
+            const Pairs of = pairs_of(some, n);
             for (size_t k = 0; k < some.size(); k++) {
-                estimate(&a[3 * n * k], &b[3 * n * k], n, &out[image::moment_numbers * some[k]]);
-                glints[some[k]] = glint_in(zero, some[k], &a[3 * n * k], &b[3 * n * k], n);
+                const float *a = &of.a[3 * n * k], *b = &of.b[3 * n * k];
+                estimate(a, b, n, &out[image::moment_numbers * some[k]]);
+                glints[some[k]] = glint_in(zero, some[k], a, b, n);
             }
         }
     }
@@ -165,6 +164,13 @@ image::Moments pixel_moments(device::Device& device, const ViewPlan& plan, const
     for (size_t i = 0; i < zero.drawn.size(); i++) add_drawn(zero, i, &out[image::moment_numbers * i]);
     image::clean_moments(out);
     return std::make_shared<const std::vector<float>>(std::move(out));
+}
+
+image::Moments pixel_moments(device::Device& device, const ViewPlan& plan, const FrameZero& zero) {
+    const auto nx = int(plan.sampling.params.nx), ny = int(plan.sampling.params.ny);
+    return moments_of(zero, nx, ny, places_of_pixels(zero, nx, ny), [&](const std::vector<uint32_t>& pixels, uint32_t n) {
+        return Pairs{run_places(device, plan.sampling, pixels, n, 0), run_places(device, plan.sampling, pixels, n, 1)};
+    });
 }
 
 }  // namespace render

@@ -7,6 +7,8 @@
 // chapter 3).  Pairs are drawn where the samples of frame 0 differ; no frame contains them.  Splatted emitters add
 // their exact part.
 #pragma once
+#include <functional>
+#include <vector>
 #include "render/frame_zero.h"
 
 namespace render {
@@ -14,6 +16,13 @@ namespace render {
 // Number of places in each pixel at which pairs are drawn, 0: none.  Pixels that hold much of the light have more, and
 // those of small pictures, where samples cost little.
 std::vector<uint32_t> places_of_pixels(const FrameZero& zero, int nx, int ny);
+// Samples of n places of each of some pixels, consecutive, 3 floats each: both of a place.
+struct Pairs {
+    std::vector<float> a, b;
+};
+using PairsOf = std::function<Pairs(const std::vector<uint32_t>& pixels, uint32_t n)>;
+image::Moments moments_of(const FrameZero& zero, int nx, int ny, const std::vector<uint32_t>& places,
+                          const PairsOf& pairs_of);
 image::Moments pixel_moments(device::Device& device, const ViewPlan& plan, const FrameZero& zero);
 
 }  // namespace render

@@ -39,7 +39,7 @@ PixelSampling with_focus(PixelSampling sampling, const Focus& focus) {
         Several s;
         s.spp = part.spp;
         s.reuse_equivalent_spp = reuse_equivalent_spp;
-        for (const uint32_t pixel : part.pixels) s.entries.push_back({pixel, part.spp, 0});
+        for (const uint32_t pixel : part.pixels) s.entries.push_back({pixel, part.spp, 0, 0, 0});
         sampling = with_several(std::move(sampling), std::move(s));
     }
     return sampling;
@@ -64,6 +64,8 @@ device::Params params_of_several(const PixelSampling& sampling, uint32_t mode, c
     return p;
 }
 
+}  // namespace
+
 device::Params params_of_pass(const PixelSampling& sampling, const Pass& pass) {
     device::Params p = sampling.params;
     p.mode = pass.mode;
@@ -79,6 +81,7 @@ device::Params params_of_pass(const PixelSampling& sampling, const Pass& pass) {
     return p;
 }
 
+namespace {
 // Pixels with several samples, among those of the pass, get the mean of all.  A sample with path reuse is kept with the
 // weight of several others, because it has less noise; the mean is unbiased for any fixed weights.
 void refine(device::Device& device, const PixelSampling& sampling, const Pass& pass, const Several& several,
@@ -105,7 +108,7 @@ void refine(device::Device& device, const PixelSampling& sampling, const Pass& p
                 sum[(p.first - first + i / 3) / several.spp * 3 + i % 3] += double(samples[i]);
         }
         for (uint32_t entry = begin, next; entry < end; entry = next) {  // entries of a pixel are consecutive
-            const auto [pixel, spp, from] = several.entries[entry];
+            const auto [pixel, spp, from, suns_at, suns] = several.entries[entry];
             next = entry + spp / several.spp;
             for (size_t i = 0; i < size_t(n) * 3; i++) {
                 double all = 0;
@@ -163,7 +166,7 @@ device::Params params_of_places(const PixelSampling& sampling, const std::vector
                                 uint32_t redraw) {
     ViewTables tables = *sampling.params.view_tables;
     tables.focus.clear();
-    for (const uint32_t pixel : pixels) tables.focus.push_back({pixel, n, 0});
+    for (const uint32_t pixel : pixels) tables.focus.push_back({pixel, n, 0, 0, 0});
     device::Params p = device::with_view(sampling.params, std::move(tables));
     p.focus_at = 0;
     p.mode = MODE_DIRECT;

@@ -37,6 +37,8 @@ struct Pass {
     uint32_t n, first_pixel, pixels;
 };
 
+// Parameters of such a pass; pixels with several samples are not among them.
+device::Params params_of_pass(const PixelSampling& sampling, const Pass& pass);
 // Number of paths of one sample of the whole picture.
 uint32_t path_count(const PixelSampling& sampling);
 // The samples of a pixel are consecutive, as are their rays; 3 floats each.

@@ -54,6 +54,7 @@ void Session::load_into_renderer(const WithSky& of, const Setup& setup, const sc
     options.room_text = of.room_text;
     if (!of.room_text.empty() && flatten::surfaces_end(of.scene) > of.room.objects)  // a sky with surfaces
         options.room_text = hash_of_surfaces(of.scene);
+    options.sky_from = of.room.objects;
     options.keep_room = next_ == Next::skies_or_edits;
     renderer_->load(of.scene, options, how);
 }

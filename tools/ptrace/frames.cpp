@@ -42,6 +42,30 @@ private:
     }
 };
 
+}  // namespace
+
+image::Picture start_picture(const Options& opt, const Sky& sky, size_t i, const render::Session* session) {
+    const render::RenderView& v = session ? session->view() : opt.views[i].render_view;
+    image::Picture picture;
+    picture.width = v.nx;
+    picture.height = v.ny;
+    if (session)
+        for (const std::string& line : session->history()) image::add_history(picture.header, line);
+    image::add_history(picture.header, opt.command);
+    for (const std::string& line : sky.lines) image::add_history(picture.header, line);
+    if (!v.points) picture.header.view = v.view;
+    picture.header.grids = opt.grids;
+    picture.header.view_name = opt.views[i].name;
+    picture.header.sky_name = sky.name;
+    picture.header.unknown = sky.unknown;
+    picture.header.seed = opt.render.seed;
+    picture.header.exposure = opt.exposure;
+    if (!session) return picture;
+    picture.header.fingerprint = session->renderer().fingerprint();
+    picture.header.direct_frames = session->renderer().direct_frames();
+    return picture;
+}
+
 // One ordinary picture, as ptaccum -last writes it.
 void write_sum(const Options& opt, const film::Accumulator& sum, const std::string& label) {
     if (sum.empty()) return;  // a signal came before frame 0
@@ -63,8 +87,6 @@ void write_frame(const Options& opt, const image::Picture& frame, film::Accumula
     else if (opt.output.empty()) image::write_picture_stdout(frame, image::Format::flt);
     else image::write_file(output_name(opt.output, k, image::label(frame.header)), frame, as_float);
 }
-
-}  // namespace
 
 Ends ends_of(const Options& opt, render::Control& control, const std::string& label) {
     return {opt.first, opt.preview ? 1 : opt.last, [&control, label] { return control.ends_picture(label); }};

@@ -5,11 +5,12 @@
 #include <functional>
 #include <string>
 
+#include "film/accumulate.h"
 #include "image/picture.h"
 #include "options.h"
 #include "report.h"
 #include "render/control.h"
-#include "render/progressive.h"
+#include "render/session.h"
 
 // When the stream of a picture ends: an option that ends it belongs in ends_of().
 struct Ends {
@@ -22,6 +23,13 @@ Ends ends_of(const Options& opt, render::Control& control, const std::string& la
 // frame that an edit keeps from being written; ends.last + 1: the picture has ended.
 int64_t render_frames(const Options& opt, const Ends& ends, int64_t from, image::Picture& picture,
                       render::Renderer& renderer, const render::Control& control, Report& report);
+
+// The header of a picture of view i: what its frames have in common.  session: with that view; null for a dark hour, for
+// which no scene is loaded.
+image::Picture start_picture(const Options& opt, const Sky& sky, size_t i, const render::Session* session);
+void write_frame(const Options& opt, const image::Picture& frame, film::Accumulator& sum);
+// -picture: the sum of its frames.
+void write_sum(const Options& opt, const film::Accumulator& sum, const std::string& label);
 
 // The one frame of a picture in an hour without light.
 void write_dark(const Options& opt, image::Picture& picture);

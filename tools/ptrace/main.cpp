@@ -21,11 +21,13 @@
 #include "image/stream.h"
 #include "edits.h"
 #include "frames.h"
+#include "hours.h"
 #include "options.h"
 #include "pixel.h"
 #include "region/open.h"
 #include "scene/object.h"
 #include "render/control.h"
+#include "render/hours.h"
 #include "render/session.h"
 
 namespace {
@@ -163,30 +165,6 @@ bool apply_edits(Run& run, size_t i) {
     return true;
 }
 
-// For a dark hour no scene is loaded.
-image::Picture start_picture(const Run& run, const Options& opt, const Sky& sky, size_t i) {
-    const render::RenderView& v = sky.is_black() ? opt.views[i].render_view : run.session->view();
-    image::Picture picture;
-    picture.width = v.nx;
-    picture.height = v.ny;
-    if (!sky.is_black())
-        for (const std::string& line : run.session->history()) image::add_history(picture.header, line);
-    image::add_history(picture.header, opt.command);
-    for (const std::string& line : sky.lines) image::add_history(picture.header, line);
-    if (!v.points) picture.header.view = v.view;
-    picture.header.grids = opt.grids;
-    picture.header.view_name = opt.views[i].name;
-    picture.header.sky_name = sky.name;
-    picture.header.unknown = sky.unknown;
-    picture.header.seed = opt.render.seed;
-    picture.header.exposure = opt.exposure;
-    if (sky.is_black()) return picture;
-    picture.header.fingerprint = run.session->renderer().fingerprint();
-    picture.header.direct_frames = run.session->renderer().direct_frames();
-    if (is_live(opt)) picture.header.edit = run.edits, picture.header.edited = run.edited;
-    return picture;
-}
-
 // "what x y": one line, with the words of the question, the number of the edit and what is there (render/seen.h).
 void answer_what(const Run& run, const std::string& rest) {
     carry_out([&] {
@@ -204,7 +182,8 @@ void render_view(Run& run, const Sky& sky, size_t i, bool last) {
     for (int64_t from = run.opt.first; !base::shutdown_requested();) {
         Options opt = run.opt;
         if (opt.preview) opt.moments = false;
-        image::Picture picture = start_picture(run, opt, sky, i);
+        image::Picture picture = start_picture(opt, sky, i, &*run.session);
+        if (is_live(opt)) picture.header.edit = run.edits, picture.header.edited = run.edited;
         const std::string label = image::label(picture.header);
         from = render_frames(opt, ends_of(opt, run.control, label), from, picture, run.session->renderer(), run.control,
                              run.report);
@@ -217,9 +196,34 @@ void render_view(Run& run, const Sky& sky, size_t i, bool last) {
 void render_dark(const Run& run, const Sky& sky) {
     base::finish_on_signal();
     for (size_t i = 0; i < run.opt.views.size() && !base::shutdown_requested(); ++i) {
-        image::Picture picture = start_picture(run, run.opt, sky, i);
+        image::Picture picture = start_picture(run.opt, sky, i, nullptr);
         write_dark(run.opt, picture);
     }
+}
+
+// The hours of -wea together.  Returns false if they are to be rendered one by one.
+bool render_together(Run& run) {
+    const Options& opt = run.opt;
+    if (!why_apart(opt).empty()) return false;
+    if (std::none_of(opt.skies.begin(), opt.skies.end(), [](const Sky& sky) { return sky.light.has_value(); })) return false;
+    base::Progress progress("ptrace");
+    render::Setup setup = setup_of(opt, 0, progress);
+    setup.options.tell_limit = true;
+    run.session.emplace(start(opt.device), scene::read_scene(opt.scene_files, opt.files), opt.scene_files);
+    run.session->load(opt.mean_sky, setup, render::Session::Next::views);
+    if (const std::string why = render::why_apart(run.session->renderer().plan()); !why.empty()) {
+        base::say("ptrace: each hour is rendered by itself: " + why);
+        run.session.reset();
+        return false;
+    }
+    if (!opt.rule_for.empty()) write_rule(opt);
+    base::finish_on_signal();
+    for (size_t i = 0; i < opt.views.size() && !base::shutdown_requested(); ++i) {
+        if (i > 0) run.session->select(setup_of(opt, i, progress));
+        progress.clear();
+        render_hours(opt, i, *run.session, run.report);
+    }
+    return true;
 }
 
 int render_all(Options options) {
@@ -227,6 +231,7 @@ int render_all(Options options) {
     choose_focus(run.opt);
     const Options& opt = run.opt;
     const bool only_rule = !opt.rule_for.empty() && opt.rule_file.empty();
+    if (!only_rule && render_together(run)) return 0;
     const std::vector<Sky> skies = opt.skies.empty() ? std::vector<Sky>(1) : opt.skies;
     scene::Scene without_sky = scene::read_scene(opt.scene_files, opt.files);
     for (const Sky& sky : skies) {

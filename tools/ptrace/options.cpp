@@ -89,6 +89,7 @@ void choose_hours(const base::OptionTable& table, Options& opt) {
     HourSkies hours = skies_of_hours(opt.weather, opt.hours, opt.hour_options, opt.render.seed);
     if (hours.skies.empty()) base::fail("-hours", "this share holds no hour");
     opt.skies = std::move(hours.skies);
+    opt.mean_sky = std::move(hours.mean_sky);
     base::say("ptrace: " + hours.note);
 }
 

@@ -30,6 +30,8 @@ struct Options {
     std::string weather, hours = "all";     // -wea, -hours
     HourOptions hour_options;               // -occupied, -wea-shift
     bool second_sky = false;                // -second-sky
+    bool hours_apart = false;               // -hours-apart: each rendered by itself
+    std::string mean_sky;                   // that stands for those of all hours (render/hours.h)
     std::vector<std::string> points_files;  // -points: one picture of these points; "-": standard input
     std::optional<bool> sensors;            // -I: of -points; absent: not said
     std::vector<image::Grid> grids;         // of the points
@@ -62,6 +64,7 @@ struct Options {
     std::vector<NamedView> views;  // what is rendered, one or several
 
     static constexpr int64_t frames_of_picture = 64;  // of -picture, where -frames is not given
+    static constexpr int64_t frames_of_hours = 16;    // diffuse ones of hours that are rendered together, likewise
     static constexpr int64_t endless = 0xfffffffe;    // the samplers count frames in 32 bits
 };
 

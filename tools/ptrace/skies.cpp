@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "base/error.h"
+#include "render/hours.h"
 #include "weather/choose.h"
 #include "weather/clock.h"
 #include "weather/sky.h"
@@ -39,6 +40,25 @@ static void warn_of(const weather::Weather& w, const weather::Hour& h, const wea
         base::warn(place, "has direct sunlight with the sun below the horizon: the hour counts as dark");
 }
 
+static render::HourSky hour_sky(const weather::Hour& hour, const weather::HourLight& light) {
+    render::HourSky sky;
+    sky.number = uint32_t(hour.time.minute_of_year());
+    sky.sun = {light.to_sun[0], light.to_sun[1], light.to_sun[2]};
+    sky.sun_radiance = light.sun_radiance;
+    sky.level = light.level;
+    sky.ground = light.ground;
+    for (int i = 0; i < 5; i++) sky.shape[i] = light.perez[i];
+    return sky;
+}
+
+// W/m2 on a horizontal plane, about, of all hours with light, so that it is the same for each choice of them.
+static double mean_irradiance(const weather::Weather& w) {
+    double sum = 0, count = 0;
+    for (const weather::Hour& h : w.hours)
+        if (h.diffuse_wm2 > 0 && h.diffuse_wm2 < weather::most_wm2) sum += h.diffuse_wm2 + h.direct_wm2 / 3, count++;
+    return count > 0 ? sum / count : 100;
+}
+
 HourSkies skies_of_hours(const std::string& weather_file, const std::string& hours, const HourOptions& options,
                          uint64_t seed) {
     weather::Weather w = weather::read_weather(weather_file);
@@ -49,6 +69,7 @@ HourSkies skies_of_hours(const std::string& weather_file, const std::string& hou
     HourSkies all;
     size_t dark = 0, unknown = 0;
     bool by_one_year = false;
+    all.mean_sky = render::hours_sky_text(mean_irradiance(w) * .6);  // visible: 110 lm/W over 179
     for (const size_t i : choice.hours) {
         const weather::Hour& h = w.hours[i];
         const weather::Sun sun = weather::sun_of(w, h);
@@ -70,6 +91,7 @@ HourSkies skies_of_hours(const std::string& weather_file, const std::string& hou
                                  minute % 60, -w.meridian_deg / 15 + 0.),
                      fmt::format("SUN= {:.2f} {:.2f}", sun.altitude_deg, sun.azimuth_deg),
                      fmt::format("IRRADIANCE= {:g} {:g}", h.direct_wm2, h.diffuse_wm2)};
+        if (light) sky.light = hour_sky(h, *light);
         if (light)
             sky.lines.push_back(fmt::format("ILLUMINANCE= {:.0f} {:.0f}",
                                             weather::white_efficacy * light->sun_irradiance,

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "render/hour_skies.h"
+
 struct Sky {
     std::string name;                // of the picture
     std::string file;                // as scene::read_more() takes it; empty: none
@@ -13,6 +15,7 @@ struct Sky {
     bool dark = false;               // an hour without daylight: one black frame
     std::string unknown;             // why there is no light to render by: a black frame that says so; else empty
     std::vector<std::string> lines;  // of its header
+    std::optional<render::HourSky> light = {};  // of an hour that is not dark
 
     bool is_black() const { return dark || !unknown.empty(); }  // nothing is rendered
 };
@@ -28,6 +31,7 @@ struct HourOptions {
 // The hours chosen (weather/choose.h), and a line for the user about them.
 struct HourSkies {
     std::vector<Sky> skies;
+    std::string mean_sky;  // scene text; empty: all hours are dark
     std::string note;
 };
 HourSkies skies_of_hours(const std::string& weather_file, const std::string& hours, const HourOptions& options,

@@ -118,6 +118,7 @@ FN int path_generate(TABLES(const SceneTables) s, PARAMS(const Params) par, TABL
     Ray ray;
     write4_(paths->rad, path, rad_words(F3(0.0f, 0.0f, 0.0f), 0.0f));
     if (par->reuse_path_count != 0u) no_ends(paths, path);
+    if ((par->flags & PF_HOURS) != 0u) write4_(paths->sky_way, path, sky_way_words(F3(0.0f, 0.0f, 0.0f), SKY_NONE));
     if (!path_first_ray(s, par, path, &rnd, &ray)) return 0;
 
     write4_(paths->dir, path, dir_words(ray.dir, ray.tmax));

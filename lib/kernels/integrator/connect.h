@@ -76,14 +76,17 @@ FN float suffix_importance(Row_prefix_n prefix, Row_suffix_p suffix, float3 radi
 
 // Russian roulette on suffix vertices of low importance, because most are dim and the connections take the time.
 // Stores the survival probability of the suffix vertex of member `which` of a group (REUSE_FIRST); 0: it is not
-// connected.
-FN void path_suffix_roulette(TABLES(const Paths) paths, UNIFORM uint first, uint which) {
+// connected.  Where the light of many hours is still unknown all are.
+FN void path_suffix_roulette(PARAMS(const Params) par, TABLES(const Paths) paths, UNIFORM uint first, uint which) {
     uint path = REUSE_MEMBER(first, which);
     float importance =
         suffix_importance(prefix_n_of(read4_(paths->prefix_n, path)), suffix_p_of(read4_(paths->suffix_p, path)),
                           xyz4(read4_(paths->suffix_rad, path)));
     float prob = 0.0f, all = 0.0f;
-    if (importance > 0.0f) {
+    if ((par->flags & PF_HOURS) != 0u) {
+        prob = suffix_p_kind(paths->suffix_p[path]) != SUFFIX_NONE && prefix_n_own(paths->prefix_n[path]) > 0.0f ? 1.0f
+                                                                                                               : 0.0f;
+    } else if (importance > 0.0f) {
         for (UNIFORM uint m = 0u; m < REUSE_GROUP; m++) {
             UNIFORM uint suffix = REUSE_MEMBER(first, m);
             all += suffix_importance(prefix_n_of(paths->prefix_n[suffix]), suffix_p_of(paths->suffix_p[suffix]),

@@ -19,7 +19,9 @@ FN void path_miss(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(
 
     // a ray that the view cuts off (-va) sees black, not the sky
     PRIVATE(const Ray) ray = &vertex->ray;
-    if ((vertex->wanted || par->mode == MODE_IMAGE) && IS_DISTANT(ray->tmax)) {
+    if (IS_DISTANT(ray->tmax) && vertex->wanted && sees_hours_sky(s, par, ray->dir, vertex->flags)) {
+        path_end_in_sky(paths, vertex);
+    } else if ((vertex->wanted || par->mode == MODE_IMAGE) && IS_DISTANT(ray->tmax)) {
         float3 sky = path_background(s, par, vertex->path, ray->org, ray->dir, vertex->flags, &vertex->rnd);
         if ((vertex->flags & PC_RECORDS_SUFFIX) != 0u && (par->flags & PF_SKY_PLACES) == 0u)
             suffix_sky(paths, vertex, sky);

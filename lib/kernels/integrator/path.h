@@ -9,7 +9,6 @@
 #include "kernels/integrator/emission.h"
 #include "kernels/integrator/vertex.h"
 #include "kernels/integrator/suffix.h"
-#include "kernels/integrator/miss.h"
 #include "kernels/integrator/hit.h"
 #include "kernels/integrator/scatter.h"
 #include "kernels/integrator/media.h"
@@ -20,6 +19,8 @@
 #include "kernels/integrator/pilot.h"
 #include "kernels/integrator/shadow.h"
 #include "kernels/integrator/connect.h"
+#include "kernels/integrator/hours.h"
+#include "kernels/integrator/miss.h"
 #include "kernels/integrator/splat.h"
 
 // Where paths are recorded (device/recorded_paths.cpp) this is a call; elsewhere nothing.  lobe: null before one is

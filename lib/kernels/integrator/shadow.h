@@ -23,6 +23,10 @@ STRUCT(ShadowRay) {
     Sampler rnd;
 };
 
+FN GLOBAL const Source* source_record(TABLES(const SceneTables) s, uint source) {
+    return (source & SUN_OF_HOUR) != 0u ? &s->suns[source & ~SUN_OF_HOUR] : &s->sources[source];
+}
+
 // Evaluates a hit of a shadow ray.  Returns HIT_*: an emitter stops the ray, the lobes of a surface hold its
 // transmittance.  g gets its material; *here and *medium_behind are the media of the segment that ends here and behind
 // the surface.  relayed: g is the relay of the virtual source aimed at.
@@ -65,7 +69,7 @@ FN int shadow_is_plain(TABLES(const SceneTables) s, PARAMS(const Params) par, TA
                        PRIVATE(Ray) ray) {
     Row_shadow_org org = shadow_org_of(paths->shadow_org[path]);
     Row_shadow_dir dir = shadow_dir_of(paths->shadow_dir[path]);
-    GLOBAL const Source* src = &s->sources[org.source];
+    GLOBAL const Source* src = source_record(s, org.source);
     uint kind = src->kind;
     if (aims_shadows(par) || kind == SK_SPHERE || kind == SK_CYLINDER) return 0;
     if (shadow_seeks_source(par, src)) return 0;
@@ -263,6 +267,7 @@ FN float3 shadow_aimed(TABLES(const SceneTables) s, PARAMS(const Params) par, PR
 // not in this sum.)
 FN int shadow_counts(TABLES(const SceneTables) s, PRIVATE(const ShadowRay) shadow, float3 T) {
     if (T.x >= 0.0f && T.y >= 0.0f && T.z >= 0.0f) return 1;
+    if (shadow->src->mod == NONE) return T.x + T.y + T.z > 0.0f;
     GLOBAL const Modifier* emitter = &s->modifiers[shadow->src->mod];
     int plain = !shadow->is_virtual && emitter->type >= M_FIRST_MATERIAL;
     float3 light = plain ? mul3(T, f3_at(s->f + emitter->args)) : T;
@@ -280,7 +285,7 @@ FN void path_shadow(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLE
     shadow.ray.org = org.point;
     shadow.ray.dir = dir.way;
     shadow.ray.tmin = 0.0f;
-    shadow.src = &s->sources[org.source];
+    shadow.src = source_record(s, org.source);
     shadow.T = F3(1.0f, 1.0f, 1.0f);
     shadow.path_length = aimed ? rad.path_length : 0.0f;
     shadow.absorbs = has_media(par);

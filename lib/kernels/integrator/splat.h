@@ -8,7 +8,7 @@
 FN void path_splat(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths, uint path) {
     Row_shadow_org from = shadow_org_of(paths->shadow_org[path]);
     Row_shadow_dir to = shadow_dir_of(paths->shadow_dir[path]);
-    GLOBAL const Source* src = &s->sources[from.source];
+    GLOBAL const Source* src = source_record(s, from.source);
     float3 org = from.point, dir = to.way;
     float dist = to.distance;
     Sampler rnd = sampler_start(par->seed_lo, par->seed_hi, path + par->first, 0u, 3u);
@@ -24,7 +24,8 @@ FN void path_splat(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES
         paths->shadow_dir[path] = shadow_dir_words(unit3(way), length3(way));
     }
 
-    float3 e = light_radiance(s, par, src->mod, src->prim, dir, point, normal, dist, dist, &rnd);
+    float3 e = F3(1.0f, 1.0f, 1.0f);
+    if (src->mod != NONE) e = light_radiance(s, par, src->mod, src->prim, dir, point, normal, dist, dist, &rnd);
     paths->shadow_rad[path] = shadow_rad_words(mul3(xyz4(paths->shadow_rad[path]), e), 0.0f);
     paths->rad[path] = rad_words(F3(0.0f, 0.0f, 0.0f), 0.0f);
 

@@ -7,7 +7,7 @@
 // The fields of a path: FIELD(type, name, when, members).  The struct Paths, the allocations of both devices and the
 // arguments of the OpenCL kernels are generated from this list.  Wide types first, because the fields are consecutive
 // in memory.
-//   when: PATH_ALWAYS; PATH_MEDIA: media or antimatter in the scene; PATH_REUSE: path reuse
+//   when: PATH_ALWAYS; PATH_MEDIA: media or antimatter in the scene; PATH_REUSE: path reuse; PATH_HOURS: many hours
 //   members: ROW(name, vector, type, word) gives names to the four words of a float4, three of a vector and one of a
 // type of its own.  NAME_of() takes them out of the float4 as a Row_NAME, NAME_WORD() one of them; NAME_words() puts
 // them in.
@@ -38,7 +38,9 @@
     FIELD(ConnectionWords, pdf, PATH_REUSE, )  /* with which the prefix vertices would have sampled it */          \
     FIELD(ConnectionWords, contribution, PATH_REUSE, )  /* to them, without the panes */                           \
     FIELD(Mixture, mixture, PATH_REUSE, )  /* of the prefix vertex */                                              \
-    FIELD(uint, connections, PATH_REUSE, )  /* visibility of the connections to the suffix vertex */
+    FIELD(uint, connections, PATH_REUSE, )  /* visibility of the connections to the suffix vertex */             \
+    FIELD(float4, sky_way, PATH_HOURS, ROW(sky_way, dir, uint, kind))  /* where it has left the scene; SKY_ */    \
+    FIELD(float4, sky_share, PATH_HOURS, ROW(sky_share, rgb, uint, spare))  /* light per radiance of the sky there */
 // clang-format on
 
 #define float_word_(w) (w)
@@ -66,6 +68,13 @@ PATH_STATE(PATH_MEMBERS)
 #define SUFFIX_POINT 1.0f
 #define SUFFIX_DIRECTION 2.0f
 
+// Kinds of sky_way: what the sky lights there, and flags of the eye's rays.
+#define SKY_NONE 0u
+#define SKY_PATH 1u    // the path
+#define SKY_SUFFIX 2u  // its suffix vertex
+#define SKY_STRAIGHT 4u
+#define SKY_MIRRORED 8u  // or refracted
+
 // For the connections between a suffix vertex and the prefix vertices of its group: a word each, or a transmittance
 // each.
 STRUCT(ConnectionWords) { float of[REUSE_GROUP]; };
@@ -77,12 +86,14 @@ STRUCT(Paths){PATH_STATE(PATH_POINTER)};
 #define PATH_ALWAYS 0u
 #define PATH_MEDIA 1u
 #define PATH_REUSE 2u
+#define PATH_HOURS 4u
 FN int has_media(PARAMS(const Params) par) { return HAS(SOLIDS) && par->may_absorb != 0u; }
 FN int has_antimatter(PARAMS(const Params) par) { return HAS(SOLIDS) && (par->flags & PF_ANTIMATTER) != 0u; }
 FN int aims_shadows(PARAMS(const Params) par) { return HAS(SOLIDS) && par->shadow_mode == SHADOW_AIMED; }
 FN int path_media_used(PARAMS(const Params) par) { return has_media(par) || has_antimatter(par); }
 FN uint path_needs(PARAMS(const Params) par) {
-    return (path_media_used(par) ? PATH_MEDIA : 0u) | (par->reuse_path_count != 0u ? PATH_REUSE : 0u);
+    return (path_media_used(par) ? PATH_MEDIA : 0u) | (par->reuse_path_count != 0u ? PATH_REUSE : 0u) |
+           ((par->flags & PF_HOURS) != 0u ? PATH_HOURS : 0u);
 }
 
 // PathInfo.flags

@@ -37,6 +37,11 @@ FN int scatters_evenly(PRIVATE(const Surface) g, PRIVATE(const Lobes) lobes) {
     return max3(add3(lobes->diffuse_r, lobes->diffuse_t)) > 0.0f;
 }
 
+// Returns 1 if a suffix vertex on this surface sends the same radiance everywhere.
+FN int is_even_suffix(TABLES(const SceneTables) s, PRIVATE(const Surface) g, PRIVATE(const Lobes) lobes) {
+    return !surface_depends(s, g, MF_LOOKS) && scatters_evenly(g, lobes);
+}
+
 FN void suffix_point(TABLES(const Paths) paths, PRIVATE(const Vertex) vertex) {
     PRIVATE(const Surface) g = &vertex->g;
     write4_(paths->suffix_p, vertex->path, suffix_p_words(g->p, SUFFIX_POINT));
@@ -48,16 +53,15 @@ FN void path_record_suffix(TABLES(const SceneTables) s, TABLES(const Paths) path
     PRIVATE(const Surface) g = &vertex->g;
     if (kind == HIT_SURFACE && is_pane(s, g)) return;
     vertex->flags &= ~PC_RECORDS_SUFFIX;
-    if (kind == HIT_NULL || surface_depends(s, g, MF_LOOKS)) return;
-
     if (kind == HIT_SURFACE) {
-        if (!scatters_evenly(g, &vertex->lobes)) return;
+        if (!is_even_suffix(s, g, &vertex->lobes)) return;
         vertex->at_suffix = 1;
         suffix_point(paths, vertex);
         return;
     }
 
     // an emitter; the radiance of a glow with a radius depends on the distance
+    if (kind == HIT_NULL || surface_depends(s, g, MF_LOOKS)) return;
     GLOBAL const float* arg = s->f + s->modifiers[g->mod].args;
     if (!vertex->wanted || g->mixed || (g->type == M_GLOW && arg[3] > 0.0f)) return;
     suffix_point(paths, vertex);

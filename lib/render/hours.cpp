@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// See hours.h.
+#include "render/hours.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <map>
+
+#include "base/angle.h"
+#include "base/hash.h"
+#include "base/processors.h"
+#include "base/threads.h"
+#include "render/hour_light.h"
+#include "render/hour_suns.h"
+#include "render/learn.h"
+#include "render/pixel_moments.h"
+
+namespace render {
+using namespace kernels;
+
+namespace {
+
+constexpr uint32_t samples_of_sun = 8;  // of each pixel in frame 0
+constexpr uint32_t most_samples_of_points = 4;  // in a frame: all hours are told by each
+constexpr size_t paths_at_once = 1u << 16;
+
+// Hours together, so that the pictures of all their frames fit.
+size_t hours_together(size_t pixels, size_t frames) {
+    constexpr size_t most_bytes = size_t(1) << 27;
+    size_t n = most_hours_together;
+    while (n > 1 && n * pixels * 12 * frames > most_bytes) n /= 2;
+    return n;
+}
+
+uint32_t step_of_zero(uint32_t samples) {
+    uint32_t step = 1;
+    while (2 * step * samples_of_sun <= samples) step *= 2;
+    return step;
+}
+
+// The factors of a picture.
+class Hours {
+public:
+    Hours(device::Device& device, const ViewPlan& plan, const std::vector<HourSky>& hours, const HoursWanted& wanted)
+        : device_(device), plan_(plan), hours_(hours), wanted_(wanted) {
+        const DiffusePlan learned = learn(device, plan);
+        sampling_ = plan.sampling;
+        sampling_.several.clear();
+        ViewTables tables = *plan.sampling.params.view_tables;
+        tables.focus.clear();
+        tables.suns = suns_of(hours, hour_of_sun_);
+        sampling_.params = device::with_view(learned.sampling.params, std::move(tables));
+        sampling_.params.flags |= PF_HOURS;
+        sampling_.params.hours_sky_at = plan.scene.tables->hours_sky_at;
+        sampling_.params.suns_step = 1;
+        sampling_.params.suns_step_eye = step_of_zero(plan.samples_of_zero);
+        pixels_ = size_t(sampling_.params.nx) * sampling_.params.ny;
+
+        draw_sources(device, plan, drawn_);
+        suns_ = draw_suns(device, plan, sampling_.params);
+        draw_zero();
+        const uint32_t each = std::min(sampling_.samples_per_frame, most_samples_of_points);
+        for (int64_t k = first_diffuse(); k <= wanted.last; k++) {
+            tell("paths", double(k) / double(wanted.last + 1));
+            const Pass pass{MODE_FRAMES, (k - 1) * each + 1, each, 0, uint32_t(pixels_)};
+            frames_.push_back(draw_factors(device, params_of_pass(sampling_, pass), each));
+        }
+    }
+
+    // All frames of hours first .. first + count - 1.
+    bool give_block(size_t first, size_t count, const GiveHourFrame& give) const {
+        const HourLight by(hours_, first, count, hour_of_sun_, draws_suns(plan_));
+        const DirectValues direct = light_zero(by);
+        std::vector<FrameZero> zeros;
+        for (size_t h = 0; h < count; h++) zeros.push_back(zero_of(direct, count, first, h));
+        std::vector<image::Moments> moments(count);
+        if (wanted_.first == 0 && wanted_.moments && plan_.points_room == 0) moments = moments_of_block(by, zeros);
+        std::vector<HourValues> frames(frames_.size());
+        on_all(frames.size(), [&](size_t i) { frames[i] = frame_of(i, direct, by); });
+        for (size_t h = 0; h < count; h++) {
+            if (wanted_.first == 0 && !give(first + h, 0, values_of(zeros[h]), moments[h])) return false;
+            for (size_t i = 0; i < frames.size(); i++)
+                if (!give(first + h, first_diffuse() + int64_t(i), values_of_hour(frames[i], count, h), {})) return false;
+        }
+        return true;
+    }
+
+private:
+    void tell(const char* doing, double share) const {
+        if (wanted_.tell) wanted_.tell(doing, share);
+    }
+    int64_t first_diffuse() const { return std::max<int64_t>(1, wanted_.first); }
+    template <class F>
+    static void on_all(size_t n, F&& work) {
+        std::atomic<size_t> next{0};
+        base::on_threads(unsigned(std::min<size_t>(base::processors(), n)), [&] {
+            for (size_t i; (i = next.fetch_add(1)) < n;) work(i);
+        });
+    }
+
+    void draw_zero() {
+        const uint32_t n = plan_.samples_of_zero, some = std::max<uint32_t>(1, uint32_t(paths_at_once) / n);
+        const device::Params& par = sampling_.params;
+        for (uint32_t first = 0; first < pixels_; first += some) {
+            tell("what the eye sees", double(first) / double(pixels_));
+            const uint32_t batch = std::min(some, uint32_t(pixels_) - first);
+            const Pass pass{MODE_DIRECT, first_sample_of_zero(plan_), n, first, batch};
+            zero_.push_back(draw_factors(device_, params_of_pass(sampling_, pass), n));
+            zero_at_.push_back(first);
+        }
+        for (uint32_t pixel = 0; pixel < pixels_; pixel++)
+            turn_.push_back(hash32(
+                sampler_start(par.seed_lo, par.seed_hi, pixel, uint32_t(first_sample_of_zero(plan_)), 0).key));
+    }
+
+    DirectValues light_zero(const HourLight& by) const {
+        DirectValues all;
+        std::vector<DirectValues> parts(zero_.size());
+        on_all(parts.size(), [&](size_t i) {
+            parts[i] = light_direct(zero_[i], zero_at_[i], by, sampling_.params.suns_step_eye, turn_);
+        });
+        const auto add = [](HourValues& to, const HourValues& from) { to.insert(to.end(), from.begin(), from.end()); };
+        for (const DirectValues& part : parts)
+            add(all.mean, part.mean), add(all.half_off, part.half_off), add(all.spread, part.spread);
+        return all;
+    }
+
+    FrameZero zero_of(const DirectValues& direct, size_t count, size_t first, size_t h) const {
+        FrameZero zero = drawn_;
+        zero.samples = plan_.samples_of_zero;
+        zero.mean = values_of_hour(direct.mean, count, h);
+        zero.half_off = values_of_hour(direct.half_off, count, h);
+        zero.spread = values_of_hour(direct.spread, count, h);
+        for (size_t sun = 0; sun < suns_.size(); sun++)
+            if (hour_of_sun_[sun] == first + h) add_drawn_suns(suns_[sun], float(hours_[first + h].sun_radiance), zero);
+        return zero;
+    }
+
+    // Pairs of samples at places in pixels (pixel_moments.h), of all hours of a block.
+    std::vector<image::Moments> moments_of_block(const HourLight& by, const std::vector<FrameZero>& zeros) const {
+        const int nx = int(sampling_.params.nx), ny = int(sampling_.params.ny);
+        const size_t n = by.hours(), row = 3 * n;
+        std::vector<std::vector<uint32_t>> places;
+        std::vector<uint32_t> most(pixels_, 0);
+        for (const FrameZero& zero : zeros) {
+            places.push_back(places_of_pixels(zero, nx, ny));
+            for (size_t i = 0; i < pixels_; i++) most[i] = std::max(most[i], places.back()[i]);
+        }
+        // of each pixel and place, 3 rows; a pixel asks the suns of the hours that have places in it
+        std::vector<HourValues> a(pixels_), b(pixels_);
+        for (const bool second : {false, true}) {
+            std::map<uint32_t, std::vector<uint32_t>> alike;
+            for (uint32_t i = 0; i < pixels_; i++)
+                if (most[i] > 0) alike[most[i]].push_back(i);
+            for (const auto& [k, pixels] : alike)
+                for (size_t from = 0; from < pixels.size(); from += paths_at_once / k) {
+                    const std::vector<uint32_t> some(pixels.begin() + long(from),
+                                                     pixels.begin() + long(std::min(pixels.size(), from + paths_at_once / k)));
+                    draw_places(some, k, second, by, places, second ? b : a);
+                }
+        }
+        std::vector<image::Moments> out(n);
+        on_all(n, [&](size_t h) {
+            out[h] = moments_of(zeros[h], nx, ny, places[h], [&](const std::vector<uint32_t>& pixels, uint32_t k) {
+                Pairs pairs;
+                for (const uint32_t pixel : pixels)
+                    for (size_t i = 0; i < 3 * size_t(k); i++) {
+                        pairs.a.push_back(a[pixel][(i / 3) * row + i % 3 * n + h]);
+                        pairs.b.push_back(b[pixel][(i / 3) * row + i % 3 * n + h]);
+                    }
+                return pairs;
+            });
+        });
+        return out;
+    }
+
+    void draw_places(const std::vector<uint32_t>& pixels, uint32_t k, bool second, const HourLight& by,
+                     const std::vector<std::vector<uint32_t>>& places, std::vector<HourValues>& out) const {
+        const size_t row = 3 * by.hours();
+        device::Params par = params_of_places(sampling_, pixels, k, second ? 1 : 0);
+        ViewTables tables = *par.view_tables;
+        std::vector<HourSky> of_block;
+        for (size_t h = 0; h < by.hours(); h++) of_block.push_back(by.hour(h));
+        std::vector<uint32_t> hour_of_sun;
+        tables.suns = suns_of(of_block, hour_of_sun);
+        for (FocusEntry& entry : tables.focus) {
+            entry.suns_at = uint32_t(tables.asked.size());
+            for (uint32_t sun = 0; sun < hour_of_sun.size(); sun++)
+                if (places[hour_of_sun[sun]][entry.pixel] > 0) tables.asked.push_back(sun);
+            entry.suns = uint32_t(tables.asked.size()) - entry.suns_at;
+        }
+        par = device::with_view(par, std::move(tables));
+        par.suns_step_eye = 1;
+        par.flags |= PF_ASKS;
+        par.first = 0;
+        par.path_count = uint32_t(pixels.size()) * k;
+        const PathFactors f = draw_factors(device_, par, k);
+        const HourLight light(of_block, 0, of_block.size(), hour_of_sun, draws_suns(plan_));
+        on_all(pixels.size(), [&](size_t i) {
+            HourValues& values = out[pixels[i]];
+            values.assign(k * row, 0.0f);
+            for (size_t place = 0; place < k; place++) {
+                const size_t path = i * k + place;
+                for (size_t c = 0; c < 3; c++)
+                    std::fill_n(&values[place * row + c * by.hours()], by.hours(), f.rest[3 * path + c]);
+                light.add_own(f, path, &values[place * row]);
+            }
+        });
+    }
+
+    // Frame k of Eq. 7, as frame_of() of progressive.cpp.
+    HourValues frame_of(size_t i, const DirectValues& direct, const HourLight& by) const {
+        const int64_t k = first_diffuse() + int64_t(i);
+        HourValues v = light_frame(frames_[i], pixels_, by);
+        if (k > plan_.m) add_scaled(v.data(), direct.mean.data(), -1, v.size());
+        else add_scaled(v.data(), direct.half_off.data(), image::in_first_half(k) ? 1.0f : -1.0f, v.size());
+        return v;
+    }
+
+    device::Device& device_;
+    const ViewPlan& plan_;
+    const std::vector<HourSky>& hours_;
+    const HoursWanted& wanted_;
+    PixelSampling sampling_;
+    size_t pixels_ = 0;
+    std::vector<uint32_t> hour_of_sun_;
+    FrameZero drawn_;                          // lamps: the same in all hours
+    std::vector<std::vector<DrawnSun>> suns_;  // by sun
+    std::vector<PathFactors> zero_, frames_;
+    std::vector<size_t> zero_at_;  // first pixel of each part
+    std::vector<uint32_t> turn_;   // of each pixel (light_direct())
+};
+
+}  // namespace
+
+void render_hours(device::Device& device, const ViewPlan& plan, const std::vector<HourSky>& hours,
+                  const HoursWanted& wanted, const GiveHourFrame& give) {
+    const Hours all(device, plan, hours, wanted);
+    const size_t pixels = size_t(plan.sampling.params.nx) * plan.sampling.params.ny;
+    const size_t n = hours_together(pixels, size_t(wanted.last - wanted.first + 2));
+    const auto in_order_of_points = [&](size_t hour, int64_t k, const std::vector<float>& rgb, const image::Moments& m) {
+        return give(hour, k, plan.points_room > 0 ? in_order(plan.points, rgb, plan.points_room) : rgb, m);
+    };
+    for (size_t first = 0; first < hours.size(); first += n)
+        if (!all.give_block(first, std::min(n, hours.size() - first), in_order_of_points)) return;
+}
+
+std::string why_apart(const ViewPlan& plan) {
+    if (plan.sampling.params.may_absorb != 0) return "the scene has absorbing media";
+    if (plan.scene.mirrors_sources) return "the scene has materials that make virtual suns (mirror, prism)";
+    return "";
+}
+
+std::string hours_sky_text(double irradiance) {
+    return fmt::format(
+        "!gensky -ang 45 0 -u -B {:g}\nskyfunc glow sky_glow 0 0 4 1 1 1 0\nsky_glow source sky 0 0 4 0 0 1 180"
+        "\nskyfunc glow ground_glow 0 0 4 1 1 1 0\nground_glow source ground 0 0 4 0 0 -1 180\n",
+        irradiance);
+}
+
+std::string shared_paths(const ViewPlan& plan) { return base::hash_of(plan.fingerprint); }
+
+std::string hour_fingerprint(const ViewPlan& plan, const HourSky& h) {
+    base::Hash hash;
+    hash.add_all(std::vector<double>{h.sun.x, h.sun.y, h.sun.z, h.sun_radiance, h.level, h.ground});
+    hash.add_all(std::vector<double>(h.shape, h.shape + 5));
+    return plan.fingerprint + " hour:" + hash.text();
+}
+
+}  // namespace render

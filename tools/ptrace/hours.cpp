@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// See hours.h.
+#include "hours.h"
+
+#include <fmt/core.h>
+
+#include "base/progress.h"
+#include "base/shutdown.h"
+#include "film/accumulate.h"
+#include "frames.h"
+#include "image/header.h"
+#include "render/hours.h"
+
+std::string why_apart(const Options& opt) {
+    if (opt.hours_apart) return "-hours-apart";
+    if (opt.weather.empty()) return "there are no hours of a weather file";
+    if (is_live(opt)) return "edits may come";
+    if (opt.pixel) return "-pixel";
+    if (!opt.focus_file.empty()) return "-focus";
+    return "";
+}
+
+void render_hours(Options opt, size_t i, const render::Session& session, Report& report) {
+    if (opt.last == Options::endless) opt.last = opt.first + Options::frames_of_hours;
+    const render::ViewPlan& plan = session.renderer().plan();
+    std::vector<render::HourSky> hours;
+    std::vector<size_t> of;  // of each: its place in opt.skies
+    for (size_t sky = 0; sky < opt.skies.size(); sky++)
+        if (opt.skies[sky].light) hours.push_back(*opt.skies[sky].light), of.push_back(sky);
+
+    size_t next = 0;  // of opt.skies
+    const auto dark_ones_before = [&](size_t sky) {
+        for (; next < sky; next++) {
+            if (!opt.skies[next].is_black()) continue;
+            image::Picture picture = start_picture(opt, opt.skies[next], i, nullptr);
+            write_dark(opt, picture);
+        }
+    };
+    base::Progress progress("ptrace");
+    render::HoursWanted wanted;
+    wanted.first = opt.first;
+    wanted.last = opt.last;
+    wanted.moments = opt.moments;
+    wanted.tell = [&](const std::string& doing, double share) {
+        if (progress.due()) progress.show(fmt::format("{} hours together: {}, {:.0f} %", hours.size(), doing, 100 * share));
+    };
+    image::Picture picture;
+    film::Accumulator sum;
+    const std::string shared = render::shared_paths(plan);
+    render::render_hours(session.renderer().device(), plan, hours, wanted,
+                         [&](size_t hour, int64_t k, const std::vector<float>& rgb, const image::Moments& moments) {
+                             const Sky& sky = opt.skies[of[hour]];
+                             if (k == opt.first) {
+                                 progress.clear();
+                                 dark_ones_before(of[hour]);
+                                 picture = start_picture(opt, sky, i, &session);
+                                 picture.header.fingerprint = render::hour_fingerprint(plan, hours[hour]);
+                                 picture.header.shared_paths = shared;
+                                 if (opt.output.empty()) picture.header.last_frame = opt.last;
+                                 report.begin(image::label(picture.header), session.renderer().device_name(), opt.first, opt.last);
+                             }
+                             picture.rgb = rgb;
+                             picture.header.frame = k;
+                             picture.moments = moments;
+                             write_frame(opt, picture, sum);
+                             report.frame(k);
+                             if (k == opt.last) {
+                                 if (opt.one_picture) write_sum(opt, sum, image::label(picture.header));
+                                 sum = film::Accumulator();
+                                 report.end();
+                             }
+                             return !base::shutdown_requested();
+                         });
+    dark_ones_before(opt.skies.size());
+}
