@@ -4,41 +4,64 @@
 #ifndef LUX_CPU_HOURS_H
 #define LUX_CPU_HOURS_H
 
-// The vertex's answers to the suns of a packet that nothing opaque hides.
-static void answer_suns(const Tile& t, const Vertex& vertex, PacketRays& p, const uint32_t* suns, float weight,
-                        device::FoundSuns& out) {
+// Rays from vertices to suns, and what they are for.
+struct SunRays {
+    PacketRays p;
+    const Vertex* from[PACKET];
+    uint32_t sun[PACKET];
+    float weight[PACKET];
+};
+
+// The answers of the vertices to the suns that nothing opaque hides.
+static void answer_suns(const Tile& t, SunRays& rays, device::FoundSuns& out) {
     uint32_t panes;
     const bool aims = aims_shadows(&t.par);
-    const uint32_t open = aims ? packet_all(p) : packet_look(*t.s, p, packet_all(p), RAY_OPAQUE, &panes);
+    const uint32_t all = packet_all(rays.p), open = aims ? all : packet_look(*t.s, rays.p, all, RAY_OPAQUE, &panes);
     for (uint32_t left = open; left != 0; left &= left - 1) {
-        const uint32_t k = uint32_t(__builtin_ctz(left));
+        const uint32_t k = uint32_t(__builtin_ctz(left)), list = 2 * rays.from[k]->path;
+        const float3 way = F3(rays.p.dir[0][k], rays.p.dir[1][k], rays.p.dir[2][k]);
         float3 own, shared;
-        path_sun(t.s, &t.par, &vertex, suns[k], F3(p.dir[0][k], p.dir[1][k], p.dir[2][k]), aims ? SHADOW_TO_TRACE : SHADOW_OPEN, &own, &shared);
-        out.add(2 * vertex.path, suns[k], &own.x, weight);
-        out.add(2 * vertex.path + 1, suns[k], &shared.x, weight);
+        path_sun(t.s, &t.par, rays.from[k], rays.sun[k], way, aims ? SHADOW_TO_TRACE : SHADOW_OPEN, &own, &shared);
+        out.add(list, rays.sun[k], &own.x, rays.weight[k]);
+        out.add(list + 1, rays.sun[k], &shared.x, rays.weight[k]);
     }
-    p.count = 0;
+    rays.p.count = 0;
 }
 
-static void ask_suns(const Tile& t, const Vertex& vertex, device::FoundSuns& out) {
-    PacketRays p;
-    uint32_t suns[PACKET];
-    const SunSampling sampling = sun_sampling(&t.par, &vertex);
-    const bool through = lobes_transmit(&vertex.lobes) != 0;
-    const float3 above = sun_ray_start(&vertex, 1), below = sun_ray_start(&vertex, 0);
-    // in its path's own light the suns count by the weight of its list: those of a suffix vertex for its group
-    const AskedSuns asked = asked_suns(t.s, &t.par, vertex.path);
+// Vertices that ask the same suns: one, or those of a pixel, whose rays to a sun lie side by side.
+struct SunVertices {
+    Vertex vertex[PACKET];
+    SunSampling sampling[PACKET];
+    float3 above[PACKET], below[PACKET];  // where their rays begin
+    int through[PACKET];
+    uint32_t count = 0;
+};
+
+static void ask_suns(const Tile& t, SunVertices& v, device::FoundSuns& out) {
+    if (v.count == 0) return;
+    SunRays rays;
+    for (uint32_t k = 0; k < v.count; k++) {
+        v.sampling[k] = sun_sampling(&t.par, &v.vertex[k]);
+        v.above[k] = sun_ray_start(&v.vertex[k], 1);
+        v.below[k] = sun_ray_start(&v.vertex[k], 0);
+        v.through[k] = lobes_transmit(&v.vertex[k].lobes);
+    }
+    const AskedSuns asked = asked_suns(t.s, &t.par, v.vertex[0].path);
     for (uint32_t i = 0; i < asked.count; i++) {
         const uint32_t sun = asked_sun(t.s, &asked, i);
-        if (!samples_sun(&sampling, &t.s->suns[sun])) continue;
-        const float3 way = sun_way(&t.s->suns[sun], sampling.place);
-        const bool up = dot3(way, vertex.g.ng) > 0.0f;
-        if (!up && !through) continue;
-        suns[p.count] = sun;
-        packet_put(p, p.count++, {up ? above : below, 0.0f, way, FAR_AWAY});
-        if (p.count == PACKET) answer_suns(t, vertex, p, suns, float(sampling.step), out);
+        for (uint32_t k = 0; k < v.count; k++) {
+            if (!samples_sun(&v.sampling[k], &t.s->suns[sun])) continue;
+            const float3 way = sun_way(&t.s->suns[sun], v.sampling[k].place);
+            const bool up = dot3(way, v.vertex[k].g.ng) > 0.0f;
+            if (!up && !v.through[k]) continue;
+            const uint32_t ray = rays.p.count++;
+            rays.from[ray] = &v.vertex[k], rays.sun[ray] = sun, rays.weight[ray] = float(v.sampling[k].step);
+            packet_put(rays.p, ray, {up ? v.above[k] : v.below[k], 0.0f, way, FAR_AWAY});
+            if (rays.p.count == PACKET) answer_suns(t, rays, out);
+        }
     }
-    if (p.count > 0) answer_suns(t, vertex, p, suns, float(sampling.step), out);
+    if (rays.p.count > 0) answer_suns(t, rays, out);
+    v.count = 0;
 }
 
 template <class STAGES>
@@ -47,10 +70,16 @@ struct HoursBackend : TileBackend<STAGES> {
     device::FoundSuns found;
     explicit HoursBackend(Tile& tile) : Base{tile} {}
     void shade() {
-        Vertex vertex;
+        SunVertices v;
         const Tile& t = Base::t;
-        for (uint32_t i = 0; i < t.n; i++)
-            if (sun_vertex(t.s, &t.par, &t.paths, t.now[i], &vertex)) ask_suns(t, vertex, found);
+        for (uint32_t i = 0; i < t.n; i++) {
+            if (!sun_vertex(t.s, &t.par, &t.paths, t.now[i], &v.vertex[v.count])) continue;
+            v.count++;
+            const bool more = (t.par.flags & PF_ASKS) != 0u && v.count < PACKET && i + 1 < t.n &&
+                              focus_entry(t.s, &t.par, t.now[i]) == focus_entry(t.s, &t.par, t.now[i + 1]);
+            if (!more) ask_suns(t, v, found);
+        }
+        ask_suns(t, v, found);
         Base::shade();
     }
 };

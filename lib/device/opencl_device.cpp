@@ -12,6 +12,7 @@
 #include "device/features.h"
 #include "device/kernel_cache.h"
 #include "device/layout.h"
+#include "device/opencl_hours.h"
 #include "device/opencl_paths.h"
 #include "device/wavefront.h"
 
@@ -78,24 +79,7 @@ public:
     void run_hours(const Params& par, HourPaths& out) override {
         call("rendering hours", [&] {
             prepare(par);
-            out = {};
-            std::vector<float> film(par.reuse_path_count != 0 ? 3 * size_t(kernels::film_places(&par)) : 0);
-            Params part = par;
-            const uint64_t row = 24 * uint64_t(std::max(1u, par.suns_count)), room = uint64_t(1) << 27;
-            const uint32_t most = std::max(REUSE_SQUARE, std::min(most_paths_, uint32_t(room / row)) / REUSE_SQUARE * REUSE_SQUARE);
-            for (uint32_t done = 0; done < par.path_count; done += part.path_count) {
-                part.first = par.first + done;
-                part.path_count = std::min(most, par.path_count - done);
-                HourPaths some;
-                run_some_hours(part, some);
-                if (film.empty()) out.rest.insert(out.rest.end(), some.rest.begin(), some.rest.end());
-                for (uint32_t i = 0; i < part.path_count && !film.empty(); i++) {
-                    const uint32_t place = kernels::film_place(&part, i);
-                    if (place != NONE) std::copy_n(&some.rest[3 * size_t(i)], 3, &film[3 * size_t(place)]);
-                }
-                out.append(std::move(some));
-            }
-            if (!film.empty()) out.rest = std::move(film);
+            opencl_hours(paths_, par, most_paths_, out);
         });
     }
     void splat(const Params& par, const std::vector<SplatRay>& rays, std::vector<float>& rgb) override {
@@ -181,42 +165,6 @@ public:
     void set_own_bits(std::string bits) override { own_bits_ = std::move(bits); }
 
 private:
-    // rest: by path.
-    void run_some_hours(const Params& part, HourPaths& out) {
-        FoundSuns found;
-        std::vector<uint32_t> queue;
-        std::vector<float> rows;
-        paths_.reserve(part);
-        paths_.generate();
-        while (paths_.has_paths()) {
-            paths_.extend();
-            paths_.suns(part.suns_count, queue, rows);
-            for (size_t i = 0; i < queue.size(); i++)
-                for (uint32_t sun = 0; sun < part.suns_count; sun++) {
-                    const float* rgb = &rows[6 * (i * part.suns_count + sun)];
-                    found.add(2 * queue[i], sun, rgb, 1);
-                    found.add(2 * queue[i] + 1, sun, rgb + 3, 1);
-                }
-            paths_.shade();
-            paths_.shadow();
-            paths_.next_bounce();
-        }
-        if (part.reuse_path_count != 0) {
-            reuse_suffixes(paths_);
-            paths_.suffix_shares(out.shares);
-        }
-        found.sort(2 * part.path_count, out);
-        std::vector<kernels::float4> rad(part.path_count), way(rad.size()), share(rad.size());
-        paths_.read(PATH_rad, rad);
-        paths_.read(PATH_sky_way, way);
-        paths_.read(PATH_sky_share, share);
-        for (size_t i = 0; i < rad.size(); i++) {
-            const kernels::Row_sky_way w = kernels::sky_way_of(way[i]);
-            out.rest.insert(out.rest.end(), {rad[i].x, rad[i].y, rad[i].z});
-            out.sky.push_back({{w.dir.x, w.dir.y, w.dir.z}, {0, 0, 0}, w.kind});
-            if (w.kind != SKY_NONE) std::copy_n(&share[i].x, 3, out.sky.back().rgb);
-        }
-    }
     template <class F>
     void call(const char* doing, F&& work) {
         const base::EndsSoon here;

@@ -20,7 +20,8 @@ enum { PATH_STATE(LUX_FIELD_NUMBER) PATH_FIELDS };
 // clang-format off
 #define LUX_STAGES(S)                                                                                           \
     S(generate) S(extend) S(count_kinds) S(begin_kinds) S(sort_kinds) S(sky) S(shade) S(shadow) S(swap) S(splat) \
-    S(suns) S(suffix_shares) S(pilot) S(suffix_roulette) S(connection) S(transmittance) S(connect) S(normalise_mis) S(gather) S(film)
+    S(suns) S(suffix_shares) S(pilot) S(suffix_roulette) S(connection) S(transmittance) S(connect)               \
+    S(normalise_mis) S(gather) S(film)
 // clang-format on
 #define LUX_STAGE_NUMBER(name) STAGE_##name,
 enum { LUX_STAGES(LUX_STAGE_NUMBER) STAGES };
@@ -66,8 +67,8 @@ public:
     void normalise_mis() { stage(STAGE_normalise_mis, count_); }
     void gather() { stage(STAGE_gather, count_); }
 
-    // For many hours: responses of the queue's paths to so many suns, 6 floats each (k_suns), and those paths; the shares
-    // of their groups' suffix vertices.
+    // For many hours: responses of the queue's paths to so many suns, 6 floats each (k_suns), and those paths; the
+    // shares of their groups' suffix vertices.
     void suns(uint32_t suns, std::vector<uint32_t>& queue, std::vector<float>& rows);
     void suffix_shares(std::vector<float>& shares);
 

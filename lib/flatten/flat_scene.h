@@ -77,9 +77,9 @@ struct FlatScene : kernels::FlatTables {
     void shadows_need(uint32_t mode) { shadow_mode = std::max(shadow_mode, mode); }
     bool antimatter = false;
     uint32_t hours_sky_at = 0;  // of many hours: their sky is in `distant`, from this one on
-    bool sky_places = false;  // what is far away looks different from place to place
-    bool absorbs = false;     // some segment may lie in an absorbing medium
-    bool functions = false;   // some material's lobes are .cal functions or tables
+    bool sky_places = false;    // what is far away looks different from place to place
+    bool absorbs = false;       // some segment may lie in an absorbing medium
+    bool functions = false;     // some material's lobes are .cal functions or tables
 
     std::vector<uint32_t> prim_object;  // scene object of each primitive; NO_OBJECT inside instances
     static constexpr uint32_t NO_OBJECT = 0xffffffffu;

@@ -238,8 +238,8 @@ STRUCT(PointRay) {
 // A pixel with several samples in each frame: a pass makes Params.spp samples for an entry.
 STRUCT(FocusEntry) {
     uint pixel;
-    uint spp;   // samples of the pixel in each frame
-    uint from;  // the entry's are from .. from + Params.spp - 1
+    uint spp;            // samples of the pixel in each frame
+    uint from;           // the entry's are from .. from + Params.spp - 1
     uint suns_at, suns;  // PF_ASKS: the suns that it asks are in `asked`
 };
 

@@ -92,11 +92,11 @@ STRUCT(Params) {
     float highlight_share;            // mixture weight of highlights, where there are any (highlights.h)
     uint samples_per_pass;            // paths of a pixel side by side: samples frame .. frame + samples_per_pass - 1
     float portal_least, portal_most;  // mixture weight of portals, where there are any
-    uint spp, focus_at;     // samples of a pixel in a frame; above 1: of the pixels in `focus` from focus_at on
-    uint reuse_path_count;  // of a sample whose paths share their suffix vertices (path_reuse.h); 0: none does
+    uint spp, focus_at;             // samples of a pixel in a frame; above 1: of the pixels in `focus` from focus_at on
+    uint reuse_path_count;          // of a sample whose paths share their suffix vertices (path_reuse.h); 0: none does
     uint suns_step, suns_step_eye;  // of the suns of many hours a vertex asks each n-th, n a power of two (hours.h)
     uint hours_sky_at;              // the sky of the hours is in distant, from this one on
-    uint redraw;            // not 0: other random numbers than usual, except for the point in the pixel and on the lens
+    uint redraw;  // not 0: other random numbers than usual, except for the point in the pixel and on the lens
     VIEW_TABLES(TABLE_COUNT)
     float portal_light[MOST_PORTALS];  // per unit of its view
     uint portal_pick[MOST_PORTALS];    // their records

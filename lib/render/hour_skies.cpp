@@ -18,7 +18,8 @@ const double cap = 2 * std::pow(std::sin(radius / 2), 2);  // 1 - cos
 inline float exp_of(float x) {
     const float t = std::clamp(x, -87.f, 87.f) * 1.44269504f;
     const float n = float(int(t + (t < 0 ? -.5f : .5f))), f = (t - n) * .693147181f;
-    const float p = 1 + f * (1 + f * (.5f + f * (.166666667f + f * (.0416666418f + f * (.00833336078f + f * .00138935f)))));
+    const float p =
+        1 + f * (1 + f * (.5f + f * (.166666667f + f * (.0416666418f + f * (.00833336078f + f * .00138935f)))));
     union {
         int32_t i;
         float f;
@@ -30,12 +31,11 @@ inline float exp_of(float x) {
 // acos to 7e-5 would be A&S 4.4.45; this is 4.4.46, to 2e-8.
 inline float acos_of(float x) {
     const float u = std::fabs(x);
-    const float p =
-        1.5707963050f +
-        u * (-.2145988016f +
-             u * (.0889789874f +
-                  u * (-.0501743046f +
-                       u * (.0308918810f + u * (-.0170881256f + u * (.0066700901f + u * -.0012624911f))))));
+    const float p = 1.5707963050f +
+                    u * (-.2145988016f +
+                         u * (.0889789874f +
+                              u * (-.0501743046f +
+                                   u * (.0308918810f + u * (-.0170881256f + u * (.0066700901f + u * -.0012624911f))))));
     const float r = std::sqrt(std::max(0.f, 1 - u)) * p;
     return x < 0 ? float(M_PI) - r : r;
 }
@@ -45,7 +45,8 @@ inline float acos_of(float x) {
 namespace {
 // Neighbours in the sky have numbers near each other: bits of azimuth and height in turn (Morton 1966).
 uint32_t place_in_sky(base::Vec3 d) {
-    const double turn = std::atan2(d.y, d.x) / (2 * base::pi) + .5, height = std::asin(std::clamp(d.z, -1., 1.)) / base::pi + .5;
+    const double turn = std::atan2(d.y, d.x) / (2 * base::pi) + .5,
+                 height = std::asin(std::clamp(d.z, -1., 1.)) / base::pi + .5;
     uint32_t code = 0;
     for (uint32_t bit = 0; bit < 8; bit++)
         code |= (uint32_t(turn * 255) >> bit & 1u) << 2 * bit | (uint32_t(height * 255) >> bit & 1u) << (2 * bit + 1);
@@ -62,7 +63,8 @@ std::vector<kernels::Source> suns_of(const std::vector<HourSky>& hours, std::vec
     std::stable_sort(of.begin(), of.end(), [&](uint32_t a, uint32_t b) { return place[a] < place[b]; });
     std::vector<kernels::Source> out;
     for (const uint32_t i : of) {
-        const base::Vec3 d = unit(hours[i].sun), u = unit(cross(d, std::fabs(d.x) < .5 ? base::Vec3{1, 0, 0} : base::Vec3{0, 1, 0}));
+        const base::Vec3 d = unit(hours[i].sun),
+                         u = unit(cross(d, std::fabs(d.x) < .5 ? base::Vec3{1, 0, 0} : base::Vec3{0, 1, 0}));
         kernels::Source q{};
         q.kind = SK_DISTANT;
         q.prim = NONE;
@@ -115,8 +117,8 @@ void SkyBlock::radiance(const float* dir, bool mirrored, float* out) const {
     for (size_t h = 0; h < n; h++) {
         const float ex = dx - x[h], ey = dy - y[h], ez = dz - z[h], chord2 = ex * ex + ey * ey + ez * ez;
         const float cosine = std::clamp(1 - chord2 / 2, -1.f, 1.f), angle = acos_of(cosine);
-        const float sky = level[h] * (1 + a[h] * exp_of(b[h] * slant)) *
-                          (1 + c[h] * exp_of(d[h] * angle) + e[h] * cosine * cosine);
+        const float sky =
+            level[h] * (1 + a[h] * exp_of(b[h] * slant)) * (1 + c[h] * exp_of(d[h] * angle) + e[h] * cosine * cosine);
         const float all = in * sky + below * ground[h];
         out[h] = chord2 <= least_chord2 && sun[h] > 0 ? disc * sun[h] : all;
     }

@@ -9,11 +9,11 @@ namespace render {
 
 // An hour's sky as `perezlum` gives it (lib/cal), grey, W/(sr m2).
 struct HourSky {
-    uint32_t number = 0;          // of the hour: decides random numbers
-    base::Vec3 sun;               // unit
-    double sun_radiance = 0;      // 0: it does not shine
-    double level = 0, ground = 0; // A1, A2
-    double shape[5] = {};         // A3 .. A7: Perez' a b c d e
+    uint32_t number = 0;           // of the hour: decides random numbers
+    base::Vec3 sun;                // unit
+    double sun_radiance = 0;       // 0: it does not shine
+    double level = 0, ground = 0;  // A1, A2
+    double shape[5] = {};          // A3 .. A7: Perez' a b c d e
 };
 constexpr double sun_radius_deg = .2665;
 

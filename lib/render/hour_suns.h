@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The suns of many hours, where the eye sees them straight, drawn into frame 0 by area (drawn_sources.h has those of one
-// sky).
+// The suns of many hours, where the eye sees them straight, drawn into frame 0 by area (drawn_sources.h has those of
+// one sky).
 #pragma once
 #include <vector>
 #include "render/frame_zero.h"

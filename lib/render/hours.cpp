@@ -23,8 +23,9 @@ using namespace kernels;
 
 namespace {
 
-constexpr uint32_t samples_of_sun = 8;  // of each pixel in frame 0
+constexpr uint32_t samples_of_sun = 8;          // of each pixel in frame 0
 constexpr uint32_t most_samples_of_points = 4;  // in a frame: all hours are told by each
+constexpr uint32_t fewer_places = 4;            // than an hour by itself: they are most of the time
 constexpr size_t paths_at_once = 1u << 16;
 
 // Hours together, so that the pictures of all their frames fit.
@@ -83,7 +84,8 @@ public:
         for (size_t h = 0; h < count; h++) {
             if (wanted_.first == 0 && !give(first + h, 0, values_of(zeros[h]), moments[h])) return false;
             for (size_t i = 0; i < frames.size(); i++)
-                if (!give(first + h, first_diffuse() + int64_t(i), values_of_hour(frames[i], count, h), {})) return false;
+                if (!give(first + h, first_diffuse() + int64_t(i), values_of_hour(frames[i], count, h), {}))
+                    return false;
         }
         return true;
     }
@@ -112,8 +114,8 @@ private:
             zero_at_.push_back(first);
         }
         for (uint32_t pixel = 0; pixel < pixels_; pixel++)
-            turn_.push_back(hash32(
-                sampler_start(par.seed_lo, par.seed_hi, pixel, uint32_t(first_sample_of_zero(plan_)), 0).key));
+            turn_.push_back(
+                hash32(sampler_start(par.seed_lo, par.seed_hi, pixel, uint32_t(first_sample_of_zero(plan_)), 0).key));
     }
 
     DirectValues light_zero(const HourLight& by) const {
@@ -146,7 +148,7 @@ private:
         std::vector<std::vector<uint32_t>> places;
         std::vector<uint32_t> most(pixels_, 0);
         for (const FrameZero& zero : zeros) {
-            places.push_back(places_of_pixels(zero, nx, ny));
+            places.push_back(places_of_pixels(zero, nx, ny, fewer_places));
             for (size_t i = 0; i < pixels_; i++) most[i] = std::max(most[i], places.back()[i]);
         }
         // of each pixel and place, 3 rows; a pixel asks the suns of the hours that have places in it
@@ -157,8 +159,9 @@ private:
                 if (most[i] > 0) alike[most[i]].push_back(i);
             for (const auto& [k, pixels] : alike)
                 for (size_t from = 0; from < pixels.size(); from += paths_at_once / k) {
-                    const std::vector<uint32_t> some(pixels.begin() + long(from),
-                                                     pixels.begin() + long(std::min(pixels.size(), from + paths_at_once / k)));
+                    const std::vector<uint32_t> some(
+                        pixels.begin() + long(from),
+                        pixels.begin() + long(std::min(pixels.size(), from + paths_at_once / k)));
                     draw_places(some, k, second, by, places, second ? b : a);
                 }
         }
@@ -241,7 +244,8 @@ void render_hours(device::Device& device, const ViewPlan& plan, const std::vecto
     const Hours all(device, plan, hours, wanted);
     const size_t pixels = size_t(plan.sampling.params.nx) * plan.sampling.params.ny;
     const size_t n = hours_together(pixels, size_t(wanted.last - wanted.first + 2));
-    const auto in_order_of_points = [&](size_t hour, int64_t k, const std::vector<float>& rgb, const image::Moments& m) {
+    const auto in_order_of_points = [&](size_t hour, int64_t k, const std::vector<float>& rgb,
+                                        const image::Moments& m) {
         return give(hour, k, plan.points_room > 0 ? in_order(plan.points, rgb, plan.points_room) : rgb, m);
     };
     for (size_t first = 0; first < hours.size(); first += n)

@@ -121,8 +121,8 @@ void add_drawn(const FrameZero& zero, size_t i, float* moments) {
 }
 }  // namespace
 
-std::vector<uint32_t> places_of_pixels(const FrameZero& zero, int nx, int ny) {
-    const uint32_t most = most_places(zero.spread.size()), least = std::max(4u, most / 16);
+std::vector<uint32_t> places_of_pixels(const FrameZero& zero, int nx, int ny, uint32_t fewer) {
+    const uint32_t most = std::max(4u, most_places(zero.spread.size()) / fewer), least = std::max(4u, most / 16);
     const std::vector<bool> glares = glaring_pixels(zero);
     std::vector<uint32_t> places(zero.spread.size(), 0);
     for (int y = 0; y < ny; y++)
@@ -168,9 +168,11 @@ image::Moments moments_of(const FrameZero& zero, int nx, int ny, const std::vect
 
 image::Moments pixel_moments(device::Device& device, const ViewPlan& plan, const FrameZero& zero) {
     const auto nx = int(plan.sampling.params.nx), ny = int(plan.sampling.params.ny);
-    return moments_of(zero, nx, ny, places_of_pixels(zero, nx, ny), [&](const std::vector<uint32_t>& pixels, uint32_t n) {
-        return Pairs{run_places(device, plan.sampling, pixels, n, 0), run_places(device, plan.sampling, pixels, n, 1)};
-    });
+    return moments_of(zero, nx, ny, places_of_pixels(zero, nx, ny),
+                      [&](const std::vector<uint32_t>& pixels, uint32_t n) {
+                          return Pairs{run_places(device, plan.sampling, pixels, n, 0),
+                                       run_places(device, plan.sampling, pixels, n, 1)};
+                      });
 }
 
 }  // namespace render

@@ -15,7 +15,8 @@ namespace render {
 
 // Number of places in each pixel at which pairs are drawn, 0: none.  Pixels that hold much of the light have more, and
 // those of small pictures, where samples cost little.
-std::vector<uint32_t> places_of_pixels(const FrameZero& zero, int nx, int ny);
+// fewer: so many times.
+std::vector<uint32_t> places_of_pixels(const FrameZero& zero, int nx, int ny, uint32_t fewer = 1);
 // Samples of n places of each of some pixels, consecutive, 3 floats each: both of a place.
 struct Pairs {
     std::vector<float> a, b;

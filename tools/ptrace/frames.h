@@ -24,8 +24,8 @@ Ends ends_of(const Options& opt, render::Control& control, const std::string& la
 int64_t render_frames(const Options& opt, const Ends& ends, int64_t from, image::Picture& picture,
                       render::Renderer& renderer, const render::Control& control, Report& report);
 
-// The header of a picture of view i: what its frames have in common.  session: with that view; null for a dark hour, for
-// which no scene is loaded.
+// The header of a picture of view i: what its frames have in common.  session: with that view; null for a dark hour,
+// for which no scene is loaded.
 image::Picture start_picture(const Options& opt, const Sky& sky, size_t i, const render::Session* session);
 void write_frame(const Options& opt, const image::Picture& frame, film::Accumulator& sum);
 // -picture: the sum of its frames.

@@ -42,7 +42,8 @@ void render_hours(Options opt, size_t i, const render::Session& session, Report&
     wanted.last = opt.last;
     wanted.moments = opt.moments;
     wanted.tell = [&](const std::string& doing, double share) {
-        if (progress.due()) progress.show(fmt::format("{} hours together: {}, {:.0f} %", hours.size(), doing, 100 * share));
+        if (progress.due())
+            progress.show(fmt::format("{} hours together: {}, {:.0f} %", hours.size(), doing, 100 * share));
     };
     image::Picture picture;
     film::Accumulator sum;
@@ -57,7 +58,8 @@ void render_hours(Options opt, size_t i, const render::Session& session, Report&
                                  picture.header.fingerprint = render::hour_fingerprint(plan, hours[hour]);
                                  picture.header.shared_paths = shared;
                                  if (opt.output.empty()) picture.header.last_frame = opt.last;
-                                 report.begin(image::label(picture.header), session.renderer().device_name(), opt.first, opt.last);
+                                 report.begin(image::label(picture.header), session.renderer().device_name(), opt.first,
+                                              opt.last);
                              }
                              picture.rgb = rgb;
                              picture.header.frame = k;

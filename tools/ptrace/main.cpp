@@ -205,7 +205,8 @@ void render_dark(const Run& run, const Sky& sky) {
 bool render_together(Run& run) {
     const Options& opt = run.opt;
     if (!why_apart(opt).empty()) return false;
-    if (std::none_of(opt.skies.begin(), opt.skies.end(), [](const Sky& sky) { return sky.light.has_value(); })) return false;
+    if (std::none_of(opt.skies.begin(), opt.skies.end(), [](const Sky& sky) { return sky.light.has_value(); }))
+        return false;
     base::Progress progress("ptrace");
     render::Setup setup = setup_of(opt, 0, progress);
     setup.options.tell_limit = true;

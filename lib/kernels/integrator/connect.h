@@ -85,7 +85,7 @@ FN void path_suffix_roulette(PARAMS(const Params) par, TABLES(const Paths) paths
     float prob = 0.0f, all = 0.0f;
     if ((par->flags & PF_HOURS) != 0u) {
         prob = suffix_p_kind(paths->suffix_p[path]) != SUFFIX_NONE && prefix_n_own(paths->prefix_n[path]) > 0.0f ? 1.0f
-                                                                                                               : 0.0f;
+                                                                                                                 : 0.0f;
     } else if (importance > 0.0f) {
         for (UNIFORM uint m = 0u; m < REUSE_GROUP; m++) {
             UNIFORM uint suffix = REUSE_MEMBER(first, m);

@@ -28,7 +28,8 @@ FN void path_end_in_sky(TABLES(const Paths) paths, PRIVATE(const Vertex) vertex)
 }
 
 #ifndef LUX_LANES
-// The vertex that path_shade() will shade, with its lobes; changes nothing of the path.  Returns 1 if suns may light it.
+// The vertex that path_shade() will shade, with its lobes; changes nothing of the path.  Returns 1 if suns may light
+// it.
 FN int sun_vertex(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths, uint path,
                   PRIVATE(Vertex) vertex) {
     vertex_load(par, paths, path, vertex);
@@ -156,7 +157,8 @@ FN void path_sun(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(
 // after path_gather().
 FN float3 path_share_of_suffix(TABLES(const Paths) paths, uint first, uint m, uint which) {
     uint path = REUSE_MEMBER(first, which), suffix = REUSE_MEMBER(first, m);
-    if (prefix_n_own(paths->prefix_n[path]) == NO_PREFIX || !CONNECTS_SUFFIX(paths, suffix)) return F3(0.0f, 0.0f, 0.0f);
+    if (prefix_n_own(paths->prefix_n[path]) == NO_PREFIX || !CONNECTS_SUFFIX(paths, suffix))
+        return F3(0.0f, 0.0f, 0.0f);
     float3 weight = scale3(connection_weight(paths, suffix, m, which), suffix_mis_weight(paths, suffix));
     return mul3(xyz4(paths->prefix_throughput[path]), weight);
 }

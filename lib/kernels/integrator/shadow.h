@@ -23,10 +23,6 @@ STRUCT(ShadowRay) {
     Sampler rnd;
 };
 
-FN GLOBAL const Source* source_record(TABLES(const SceneTables) s, uint source) {
-    return (source & SUN_OF_HOUR) != 0u ? &s->suns[source & ~SUN_OF_HOUR] : &s->sources[source];
-}
-
 // Evaluates a hit of a shadow ray.  Returns HIT_*: an emitter stops the ray, the lobes of a surface hold its
 // transmittance.  g gets its material; *here and *medium_behind are the media of the segment that ends here and behind
 // the surface.  relayed: g is the relay of the virtual source aimed at.

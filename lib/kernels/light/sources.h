@@ -14,6 +14,11 @@ STRUCT(LightSample) {
     float3 normal;  // there
 };
 
+// Record of an active source, or of a sun of many hours (SUN_OF_HOUR).
+FN GLOBAL const Source* source_record(TABLES(const SceneTables) s, uint source) {
+    return (source & SUN_OF_HOUR) != 0u ? &s->suns[source & ~SUN_OF_HOUR] : &s->sources[source];
+}
+
 // A point of an emitter, seen along dir (from the viewer to the light); mod: its modifier.
 FN void light_surface(uint mod, uint prim, float3 dir, float3 point, float3 normal, float length, float path_length,
                       PRIVATE(Surface) g) {
