@@ -7,6 +7,7 @@
 #include <string>
 #include <thread>
 #include <vector>
+#include "base/error.h"
 #include "kernels/dialect/host.h"
 #include "flatten/flat_scene.h"
 #include "device/given_rays.h"
@@ -39,7 +40,9 @@ public:
     // pixels.
     virtual void run(const Params& par, std::vector<float>& rgb) = 0;
     // The same of paths for many hours (PF_HOURS).
-    virtual void run_hours(const Params& par, HourPaths& out) = 0;
+    virtual void run_hours(const Params&, HourPaths&) {
+        base::fail_system("-device " + name(), "renders hours one by one alone: -hours-apart");
+    }
     // MODE_SPLAT: radiance times weight for each ray, 3 floats each.
     virtual void splat(const Params& par, const std::vector<SplatRay>& rays, std::vector<float>& rgb) = 0;
     // MODE_PILOT: the end of the pilot path of each ray.

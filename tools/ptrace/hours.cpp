@@ -28,11 +28,13 @@ void render_hours(Options opt, size_t i, const render::Session& session, Report&
     for (size_t sky = 0; sky < opt.skies.size(); sky++)
         if (opt.skies[sky].light) hours.push_back(*opt.skies[sky].light), of.push_back(sky);
 
+    const std::string shared = render::shared_paths(plan);
     size_t next = 0;  // of opt.skies
     const auto dark_ones_before = [&](size_t sky) {
         for (; next < sky; next++) {
             if (!opt.skies[next].is_black()) continue;
             image::Picture picture = start_picture(opt, opt.skies[next], i, nullptr);
+            picture.header.shared_paths = shared;  // as all of the stream
             write_dark(opt, picture);
         }
     };
@@ -47,7 +49,6 @@ void render_hours(Options opt, size_t i, const render::Session& session, Report&
     };
     image::Picture picture;
     film::Accumulator sum;
-    const std::string shared = render::shared_paths(plan);
     render::render_hours(session.renderer().device(), plan, hours, wanted,
                          [&](size_t hour, int64_t k, const std::vector<float>& rgb, const image::Moments& moments) {
                              const Sky& sky = opt.skies[of[hour]];
