@@ -21,7 +21,7 @@ for ((round = 1; round <= rounds; ++round)); do
     while read -r frames larger; do
         awk -v f="$frames" -v l="$larger" '$2 == f && $3 == l' "$out/next" > "$out/hours"
         echo "round $round: $(wc -l < "$out/hours") hours, $frames frames of $((larger * size)) x $((larger * size))"
-        table "$frames" "$larger" "@$out/hours" "${@:5}" > "$out/part"
+        table "$frames" "$larger" "@$out/hours" -hours-apart "${@:5}" > "$out/part"
         mv "$out/part" "$out/$(ls "$out"/*.tsv | wc -l).tsv"
     done <<< "$groups"
 done

@@ -56,9 +56,18 @@ groundfunc glow ground_glow 0 0 4 1 1 1 0
 ground_glow source ground 0 0 4 0 0 -1 180
 END
     seed=$((1000000 + (355 * 24 + 12) * 60 + 30))
-    strings all.str | grep -qx SEED=$seed
+    render -hours-apart -wea y.wea -hours 1221_1230 > apart.str; strings apart.str | grep -qx SEED=$seed
+    ptaccum -last -o apart_%s.exr < apart.str
     render -seed $seed -sky noon.rad | ptaccum -last -o alone_%s.exr
-    [ "$(mkstream differ alone_noon.exr 1221_1230.exr)" = 0 ]'
+    [ "$(mkstream differ alone_noon.exr apart_1221_1230.exr)" = 0 ]'
+check 'hours together have the light of hours apart' '
+    ev() { ptrace -w- -vf $office/view.vf -x 32 -y 32 -frames 129 -wea y.wea -hours 1221_1230 "$@" $scene 2> said |
+        ptaccum -every x2/8 | vcmetrics -metrics Ev -ci 95 -last | awk "END { print \$3, (\$5 - \$4) / 4 }"; }
+    { ev; ev -hours-apart; } | awk "{ e[NR] = \$1; s[NR] = \$2 }
+        END { exit !((e[1] - e[2]) ^ 2 < 16 * (s[1] ^ 2 + s[2] ^ 2)) }"'
+check 'and the same bits one path at a time' '
+    render -device cpu:baseline -wea y.wea -hours 1221_1230 2> said | ptaccum -last -o plain_%s.exr
+    [ "$(mkstream differ plain_1221_1230.exr 1221_1230.exr)" = 0 ]'
 check 'the hour in which the sun rises has it in the middle of its light' '
     strings all.str | grep -A 1 "^TIME= 21 Dec 07:30" | grep -qx "SUN= 2.97 124.13"'
 check 'dark hours are one black frame, and have their line' '

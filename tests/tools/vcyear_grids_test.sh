@@ -12,7 +12,7 @@ printf 'void plastic p 0 0 5 0 0 0 0 0\np ring roof 0 0 8 0 0 .7 0 0 1 0 900\n' 
 printf '0 0 .8 0 0 1\n0 0 .6 0 0 1\n0 0 .6 0 0 -1\n' > desk.pts
 printf '9 0 2 0 0 1\n' > free.pts
 hours() {
-    ptrace -w- -points desk.pts -points free.pts -wea y.wea "$@" roof.rad 2> said | ptaccum -every x2 |
+    ptrace -w- -hours-apart -points desk.pts -points free.pts -wea y.wea "$@" roof.rad 2> said | ptaccum -every x2 |
         vcmetrics -W- -each
 }
 hours -frames 9 > all.tsv
@@ -24,7 +24,7 @@ check 'a row for each hour and sensor, of its last picture' '
 check 'those of an hour alone' '
     hours -frames 9 -hours 0321_1230 > one.tsv; grep "^0321_1230" all.tsv | cmp - <(tail -n +2 one.tsv)'
 check 'with -points the points themselves, hour by hour' '
-    ptrace -w- -points desk.pts -wea y.wea -frames 3 roof.rad 2> said | ptaccum -every x2 |
+    ptrace -w- -hours-apart -points desk.pts -wea y.wea -frames 3 roof.rad 2> said | ptaccum -every x2 |
         vcmetrics -W- -each -points desk.pts > rows
     [ "$(grep -c "^[0-9_]*	desk	0	0	0.6	0	0	-1	" rows)" = 6 ]'
 check 'autonomy, useful illuminance and direct sun: four of six hours have light, sun on the first sensor alone' '
@@ -37,8 +37,8 @@ check 'autonomy, useful illuminance and direct sun: four of six hours have light
     [ "$(vcyear -direct sun.tsv -ase 1000 4 all.tsv | grep -c "^ASE       0.0 %")" = 2 ]'
 check 'hours that share their paths say so, in all formats, and are counted in half-samples' '
     shared() {
-        ptrace -w- -points desk.pts -points free.pts -wea y.wea -frames 9 roof.rad 2> said |
-            sed "s/^SEED=.*/SEED=${SEED:-1}/; s/^SKYNAME=/SHARED_PATHS=0123456789abcdef\n&/" | ptaccum -every x2 |
+        ptrace -w- -seed "${SEED:-1}" -points desk.pts -points free.pts -wea y.wea -frames 9 roof.rad 2> said |
+            ptaccum -every x2 |
             vcmetrics -W- -each "$@"
     }
     shared > shared.tsv; head -n 1 shared.tsv | grep -qx "sky	grid	point	E	lo	hi	errors	paths"

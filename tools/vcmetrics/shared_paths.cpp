@@ -6,7 +6,7 @@
 #include "image/header.h"
 
 bool prints_halves(const Options& o, const image::Header& h) {
-    return o.halves || ((o.last || o.each) && !h.sky_name.empty());
+    return o.halves || !h.shared_paths.empty() || ((o.last || o.each) && !h.sky_name.empty());
 }
 
 std::string paths_of(const image::Header& h) {

@@ -263,9 +263,8 @@ FN float3 shadow_aimed(TABLES(const SceneTables) s, PARAMS(const Params) par, PR
 // not in this sum.)
 FN int shadow_counts(TABLES(const SceneTables) s, PRIVATE(const ShadowRay) shadow, float3 T) {
     if (T.x >= 0.0f && T.y >= 0.0f && T.z >= 0.0f) return 1;
-    if (shadow->src->mod == NONE) return T.x + T.y + T.z > 0.0f;
     GLOBAL const Modifier* emitter = &s->modifiers[shadow->src->mod];
-    int plain = !shadow->is_virtual && emitter->type >= M_FIRST_MATERIAL;
+    int plain = !shadow->is_virtual && shadow->src->mod != NONE && emitter->type >= M_FIRST_MATERIAL;
     float3 light = plain ? mul3(T, f3_at(s->f + emitter->args)) : T;
     return light.x + light.y + light.z > 0.0f;
 }
