@@ -9,6 +9,6 @@ out=$(cd "$out" && pwd)
 [ ! -e "$out/$k.tsv" ] || exit 0
 cd "$(dirname "${BASH_SOURCE[0]}")/../scenes/office"
 ptrace -vf view.vf -x "${SIZE:-64}" -y "${SIZE:-64}" -wea "$weather" -hours "${HOURS:-Mo-Fr 8-18} $((k + 1))/$of" \
-    -frames "${FRAMES:-9}" materials.rad layout.rad | ptaccum -every x2/8 |
+    -frames "${FRAMES:-17}" materials.rad layout.rad | ptaccum -every x2/8 |
     vcmetrics -metrics Ev,DGPf,DGP.px,DGPf.px,pixels -ci 95 -last | cut -f 1,3- > "$out/.$k.tsv"
 mv "$out/.$k.tsv" "$out/$k.tsv"

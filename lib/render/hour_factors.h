@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What pictures of many hours are made of (docs/decisions/0041): light per radiance of the skies and suns, from paths
+// What pictures of many hours are made of (docs/decisions/0042): light per radiance of the skies and suns, from paths
 // that are traced once.
 #pragma once
 #include <vector>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pictures of many hours from one set of paths (docs/decisions/0041).  A scene in many hours differs in its sky and sun
+// Pictures of many hours from one set of paths (docs/decisions/0042).  A scene in many hours differs in its sky and sun
 // alone: paths are traced once, and what they would get from skies and suns is kept as factors (hour_factors.h), which
 // the light of each hour multiplies.  The frames of an hour have the mean of that hour rendered by itself; errors of
 // the hours are alike, because the paths are.

@@ -76,8 +76,8 @@ def by_recipe(name, parameters):
 def by_luxpipe(name, hours, frames, seed=1):
     """Hour -> the sensors' lx and half of their intervals."""
     def make():
-        words = ["ptrace", "-w-", "-n", 1, "-wea", WEA, "-points", POINTS, "-hours", hours, "-frames", frames, "-seed",
-                 seed, MODEL]
+        words = ["ptrace", "-w-", "-n", 1, "-wea", WEA, "-points", POINTS, "-hours", hours, "-hours-apart", "-frames",
+                 frames, "-seed", seed, MODEL]
         frame = subprocess.Popen(list(map(str, words)), stdout=subprocess.PIPE)
         sums = subprocess.Popen(["ptaccum", "-every", "x2"], stdin=frame.stdout, stdout=subprocess.PIPE)
         table = run(["vcmetrics", "-W-", "-each"], stdin=sums.stdout)

@@ -32,7 +32,7 @@ def views_of(path):
 def render(out, name, hour, weather, scene, size, words, tone):
     """Writes OUT/NAME_HOUR.png and returns its name."""
     ptrace = subprocess.Popen(["ptrace", "-w-", *words, "-x", str(size[0]), "-y", str(size[1]), "-wea", weather,
-                               "-hours", hour, "-frames", "17", *scene],
+                               "-hours", hour, "-hours-apart", "-frames", "17", *scene],
                               stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
     subprocess.run(["ptaccum", "-last", "-o", str(out / f"{name}_%s.png"), *tone], stdin=ptrace.stdout, check=True)
     ptrace.wait()

@@ -45,7 +45,7 @@ def render(out, scene, name, hours, size, frames, seed=1):
     if not path.exists():
         path.parent.mkdir(parents=True, exist_ok=True)
         ptrace = ["ptrace", "-x", size, "-y", size, "-wea", weather_of(scene, out), "-hours", hours,
-                  "-frames", frames, "-seed", seed, *words_of(scene)]
+                  "-hours-apart", "-frames", frames, "-seed", seed, *words_of(scene)]
         pipe = subprocess.Popen(list(map(str, ptrace)), stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
         sums = subprocess.Popen(["ptaccum", "-every", "x2/8"], stdin=pipe.stdout, stdout=subprocess.PIPE)
         part = path.with_suffix(".part")
