@@ -2,6 +2,8 @@
 // See hour_skies.h.
 #include "render/hour_skies.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -82,6 +84,13 @@ std::vector<kernels::Source> suns_of(const std::vector<HourSky>& hours, std::vec
         out.push_back(q);
     }
     return out;
+}
+
+std::string hours_sky_text(double irradiance) {
+    return fmt::format(
+        "!gensky -ang 45 0 -u -B {:g}\nskyfunc glow sky_glow 0 0 4 1 1 1 0\nsky_glow source sky 0 0 4 0 0 1 180"
+        "\nskyfunc glow ground_glow 0 0 4 1 1 1 0\nground_glow source ground 0 0 4 0 0 -1 180\n",
+        irradiance);
 }
 
 SkyBlock::SkyBlock(const HourSky* hours, size_t count) : count_(count) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The light of many hours: suns as records of the kernels, and the radiance of all their skies in one direction.
 #pragma once
+#include <string>
 #include <vector>
 #include "base/vec.h"
 #include "kernels/dialect/host.h"
@@ -19,6 +20,9 @@ constexpr double sun_radius_deg = .2665;
 
 // Those that shine, neighbours in the sky next to each other; of[i]: the hour of sun i.
 std::vector<kernels::Source> suns_of(const std::vector<HourSky>& hours, std::vector<uint32_t>& of);
+
+// Scene text of a uniform sky of this horizontal irradiance, with which paths are aimed.
+std::string hours_sky_text(double irradiance);
 
 constexpr size_t most_hours_together = 64;
 

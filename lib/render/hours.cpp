@@ -2,8 +2,6 @@
 // See hours.h.
 #include "render/hours.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -23,9 +21,10 @@ using namespace kernels;
 
 namespace {
 
-constexpr uint32_t samples_of_sun = 8;          // of each pixel in frame 0
-constexpr uint32_t most_samples_of_points = 4;  // in a frame: all hours are told by each
-constexpr uint32_t fewer_places = 4;            // than an hour by itself: they are most of the time
+constexpr uint64_t most_bytes = uint64_t(9) << 26;  // .6 GB of factors: with pictures and tables less than 1 GB
+constexpr uint32_t samples_of_sun = 8;              // of each pixel in frame 0
+constexpr uint32_t most_samples_of_points = 4;      // in a frame: all hours are told by each
+constexpr uint32_t fewer_places = 4;                // than an hour by itself: they are most of the time
 constexpr size_t paths_at_once = 1u << 16;
 
 // Hours together, so that the pictures of all their frames fit.
@@ -62,14 +61,18 @@ public:
 
         draw_sources(device, plan, drawn_);
         suns_ = draw_suns(device, plan, sampling_.params);
-        draw_zero();
+        if (!draw_zero()) return;
         const uint32_t each = std::min(sampling_.samples_per_frame, most_samples_of_points);
         for (int64_t k = first_diffuse(); k <= wanted.last; k++) {
             tell("paths", double(k) / double(wanted.last + 1));
             const Pass pass{MODE_FRAMES, (k - 1) * each + 1, each, 0, uint32_t(pixels_)};
             frames_.push_back(draw_factors(device, params_of_pass(sampling_, pass), each));
+            bytes_ += frames_.back().bytes();
+            if (!fits(bytes_ + frames_.back().bytes() * uint64_t(wanted.last - k))) return;
         }
     }
+    // Else the factors of so many hours would take too much memory, and are not all there.
+    bool complete() const { return complete_; }
 
     // All frames of hours first .. first + count - 1.
     bool give_block(size_t first, size_t count, const GiveHourFrame& give) const {
@@ -103,7 +106,13 @@ private:
         });
     }
 
-    void draw_zero() {
+    bool fits(uint64_t bytes) {
+        complete_ = bytes <= most_bytes || hours_.size() <= most_hours_together;
+        return complete_;
+    }
+
+    // Returns false where they do not fit.
+    bool draw_zero() {
         const uint32_t n = plan_.samples_of_zero, some = std::max<uint32_t>(1, uint32_t(paths_at_once) / n);
         const device::Params& par = sampling_.params;
         for (uint32_t first = 0; first < pixels_; first += some) {
@@ -112,10 +121,13 @@ private:
             const Pass pass{MODE_DIRECT, first_sample_of_zero(plan_), n, first, batch};
             zero_.push_back(draw_factors(device_, params_of_pass(sampling_, pass), n));
             zero_at_.push_back(first);
+            bytes_ += zero_.back().bytes();
+            if (!fits(bytes_ / (first + batch) * pixels_)) return false;
         }
         for (uint32_t pixel = 0; pixel < pixels_; pixel++)
             turn_.push_back(
                 hash32(sampler_start(par.seed_lo, par.seed_hi, pixel, uint32_t(first_sample_of_zero(plan_)), 0).key));
+        return true;
     }
 
     DirectValues light_zero(const HourLight& by) const {
@@ -234,35 +246,39 @@ private:
     std::vector<std::vector<DrawnSun>> suns_;  // by sun
     std::vector<PathFactors> zero_, frames_;
     std::vector<size_t> zero_at_;  // first pixel of each part
-    std::vector<uint32_t> turn_;   // of each pixel (light_direct())
+    uint64_t bytes_ = 0;           // of factors
+    bool complete_ = true;
+    std::vector<uint32_t> turn_;  // of each pixel (light_direct())
 };
 
 }  // namespace
 
 void render_hours(device::Device& device, const ViewPlan& plan, const std::vector<HourSky>& hours,
                   const HoursWanted& wanted, const GiveHourFrame& give) {
-    const Hours all(device, plan, hours, wanted);
     const size_t pixels = size_t(plan.sampling.params.nx) * plan.sampling.params.ny;
     const size_t n = hours_together(pixels, size_t(wanted.last - wanted.first + 2));
-    const auto in_order_of_points = [&](size_t hour, int64_t k, const std::vector<float>& rgb,
-                                        const image::Moments& m) {
-        return give(hour, k, plan.points_room > 0 ? in_order(plan.points, rgb, plan.points_room) : rgb, m);
-    };
-    for (size_t first = 0; first < hours.size(); first += n)
-        if (!all.give_block(first, std::min(n, hours.size() - first), in_order_of_points)) return;
+    size_t most = hours.size();  // halved where they do not fit: an hour's frames do not depend on the others
+    for (size_t begin = 0; begin < hours.size();) {
+        const size_t count = std::min(most, hours.size() - begin);
+        const std::vector<HourSky> some(hours.begin() + long(begin), hours.begin() + long(begin + count));
+        const Hours all(device, plan, some, wanted);
+        if (!all.complete()) {
+            most = std::max(most_hours_together, (count + 1) / 2);
+            continue;
+        }
+        const auto give_points = [&](size_t hour, int64_t k, const std::vector<float>& rgb, const image::Moments& m) {
+            return give(begin + hour, k, plan.points_room > 0 ? in_order(plan.points, rgb, plan.points_room) : rgb, m);
+        };
+        for (size_t first = 0; first < count; first += n)
+            if (!all.give_block(first, std::min(n, count - first), give_points)) return;
+        begin += count;
+    }
 }
 
 std::string why_apart(const ViewPlan& plan) {
     if (plan.sampling.params.may_absorb != 0) return "the scene has absorbing media";
     if (plan.scene.mirrors_sources) return "the scene has materials that make virtual suns (mirror, prism)";
     return "";
-}
-
-std::string hours_sky_text(double irradiance) {
-    return fmt::format(
-        "!gensky -ang 45 0 -u -B {:g}\nskyfunc glow sky_glow 0 0 4 1 1 1 0\nsky_glow source sky 0 0 4 0 0 1 180"
-        "\nskyfunc glow ground_glow 0 0 4 1 1 1 0\nground_glow source ground 0 0 4 0 0 -1 180\n",
-        irradiance);
 }
 
 std::string shared_paths(const ViewPlan& plan) { return base::hash_of(plan.fingerprint); }

@@ -28,8 +28,6 @@ void render_hours(device::Device& device, const ViewPlan& plan, const std::vecto
 
 // Empty, or why hours of this scene have to be rendered one by one.
 std::string why_apart(const ViewPlan& plan);
-// Scene text of a uniform sky of this horizontal irradiance, with which paths are aimed.
-std::string hours_sky_text(double irradiance);
 // Names the paths that pictures of the hours have in common (SHARED_PATHS=), besides their seed.
 std::string shared_paths(const ViewPlan& plan);
 // Of the frames of an hour.
