@@ -10,6 +10,7 @@
 #include "base/angle.h"
 #include "base/hash.h"
 #include "base/processors.h"
+#include "base/shutdown.h"
 #include "base/threads.h"
 #include "render/hour_light.h"
 #include "render/hour_suns.h"
@@ -95,6 +96,7 @@ public:
 
 private:
     void tell(const char* doing, double share) const {
+        if (base::shutdown_requested()) throw device::Cancelled{};
         if (wanted_.tell) wanted_.tell(doing, share);
     }
     int64_t first_diffuse() const { return std::max<int64_t>(1, wanted_.first); }

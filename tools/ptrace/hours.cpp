@@ -49,30 +49,32 @@ void render_hours(Options opt, size_t i, const render::Session& session, Report&
     };
     image::Picture picture;
     film::Accumulator sum;
-    render::render_hours(session.renderer().device(), plan, hours, wanted,
-                         [&](size_t hour, int64_t k, const std::vector<float>& rgb, const image::Moments& moments) {
-                             const Sky& sky = opt.skies[of[hour]];
-                             if (k == opt.first) {
-                                 progress.clear();
-                                 dark_ones_before(of[hour]);
-                                 picture = start_picture(opt, sky, i, &session);
-                                 picture.header.fingerprint = render::hour_fingerprint(plan, hours[hour]);
-                                 picture.header.shared_paths = shared;
-                                 if (opt.output.empty()) picture.header.last_frame = opt.last;
-                                 report.begin(image::label(picture.header), session.renderer().device_name(), opt.first,
-                                              opt.last);
-                             }
-                             picture.rgb = rgb;
-                             picture.header.frame = k;
-                             picture.moments = moments;
-                             write_frame(opt, picture, sum);
-                             report.frame(k);
-                             if (k == opt.last) {
-                                 if (opt.one_picture) write_sum(opt, sum, image::label(picture.header));
-                                 sum = film::Accumulator();
-                                 report.end();
-                             }
-                             return !base::shutdown_requested();
-                         });
-    dark_ones_before(opt.skies.size());
+    const render::GiveHourFrame give = [&](size_t hour, int64_t k, const std::vector<float>& rgb,
+                                           const image::Moments& moments) {
+        const Sky& sky = opt.skies[of[hour]];
+        if (k == opt.first) {
+            progress.clear();
+            dark_ones_before(of[hour]);
+            picture = start_picture(opt, sky, i, &session);
+            picture.header.fingerprint = render::hour_fingerprint(plan, hours[hour]);
+            picture.header.shared_paths = shared;
+            if (opt.output.empty()) picture.header.last_frame = opt.last;
+            report.begin(image::label(picture.header), session.renderer().device_name(), opt.first, opt.last);
+        }
+        picture.rgb = rgb;
+        picture.header.frame = k;
+        picture.moments = moments;
+        write_frame(opt, picture, sum);
+        report.frame(k);
+        if (k == opt.last) {
+            if (opt.one_picture) write_sum(opt, sum, image::label(picture.header));
+            sum = film::Accumulator();
+            report.end();
+        }
+        return !base::shutdown_requested();
+    };
+    try {
+        render::render_hours(session.renderer().device(), plan, hours, wanted, give);
+    } catch (const device::Cancelled&) {}  // a signal, before the first hour
+    if (!base::shutdown_requested()) dark_ones_before(opt.skies.size());
 }
