@@ -259,7 +259,8 @@ void render_hours(device::Device& device, const ViewPlan& plan, const std::vecto
                   const HoursWanted& wanted, const GiveHourFrame& give) {
     const size_t pixels = size_t(plan.sampling.params.nx) * plan.sampling.params.ny;
     const size_t n = hours_together(pixels, size_t(wanted.last - wanted.first + 2));
-    size_t most = hours.size();  // halved where they do not fit: an hour's frames do not depend on the others
+    // Halved where they do not fit: an hour's frames do not depend on the others.
+    size_t most = std::min(hours.size(), most_suns);
     for (size_t begin = 0; begin < hours.size();) {
         const size_t count = std::min(most, hours.size() - begin);
         const std::vector<HourSky> some(hours.begin() + long(begin), hours.begin() + long(begin + count));
