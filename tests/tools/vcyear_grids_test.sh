@@ -37,7 +37,7 @@ check 'autonomy, useful illuminance and direct sun: four of six hours have light
     [ "$(vcyear -direct sun.tsv -ase 1000 4 all.tsv | grep -c "^ASE       0.0 %")" = 2 ]'
 check 'hours that share their paths say so, in all formats, and are counted in half-samples' '
     shared() {
-        ptrace -w- -seed "${SEED:-1}" -points desk.pts -points free.pts -wea y.wea -frames 9 roof.rad 2> said |
+        ptrace -w- -seed ${seed:-1} -points desk.pts -points free.pts -wea y.wea -frames 9 roof.rad 2> said |
             ptaccum -every x2 |
             vcmetrics -W- -each "$@"
     }

@@ -16,7 +16,7 @@ for month in 1 2 3; do
 done >> y.wea
 hours() {
     ptrace -w- -hours-apart -vf $office/view.vf -x 24 -y 24 -wea y.wea "$@" $office/materials.rad $office/layout.rad |
-        ptaccum -every x2/8 | vcmetrics -W- -metrics Ev,DGPf,DGP.px,DGPf.px,pixels -ci "${CI:-95}"
+        ptaccum -every x2/8 | vcmetrics -W- -metrics Ev,DGPf,DGP.px,DGPf.px,pixels -ci ${certainty:-95}
 }
 hours -frames 9 > all.tsv 2> said
 
@@ -25,13 +25,13 @@ check 'five lines, dark hours among them' '
     grep -qE "^hours     12, 3 dark, [0-9]+ undecided$" five
     grep -qE "^worst     0.[0-9]+: ptrace ... -hours 0[123]21_" five'
 check 'the year is the same whatever the certainty of its limits' '
-    for ci in 60 90 99; do CI=$ci hours -frames 9 > ci.tsv 2> said; vcyear ci.tsv | cmp five -; done'
+    for ci in 60 90 99; do certainty=$ci hours -frames 9 > ci.tsv 2> said; vcyear ci.tsv | cmp five -; done'
 check 'a table of limits alone counts as of 95 %, which is told' '
     awk -F "\t" -v OFS="\t" "{ NF--; print }" all.tsv > limits.tsv
     vcyear limits.tsv 2>&1 > out | grep -q "warning: limits.tsv: no column errors .*count as of 95 %$"'
 # Hours that share their paths: parts with the same seed do, too.
 shared() {
-    ptrace -w- -seed "${SEED:-1}" -vf $office/view.vf -x 24 -y 24 -wea y.wea "$@" $office/materials.rad \
+    ptrace -w- -seed ${seed:-1} -vf $office/view.vf -x 24 -y 24 -wea y.wea "$@" $office/materials.rad \
         $office/layout.rad | ptaccum -every x2/8 |
         vcmetrics -W- -metrics Ev,DGPf,DGP.px,DGPf.px,pixels -ci 95 -last
 }
@@ -43,7 +43,7 @@ check 'hours that share paths say so at the end of their rows, with half-samples
 check 'parts of one run join, in all formats' '
     for k in 1 2; do shared -frames 9 -hours $k/2 2> said > part.$k; done; cat part.1 part.2 | vcyear - | cmp - says'
 check_error 'hours of another seed do not' 1 '^vcyear: 0[123]21_[0-9]*: and 0121_[0-9]* share their paths with' '
-    SEED=2 shared -frames 9 -hours 2/2 2> said > other; cat part.1 other | vcyear -'
+    seed=2 shared -frames 9 -hours 2/2 2> said > other; cat part.1 other | vcyear -'
 check_error 'nor are they counted without half-samples' 1 '^vcyear: 0121_[0-9]*: has no half-samples, but hours' '
     sed -E "s,/[A-Za-z0-9_-]{16}/4,,g" one.tsv > bare.tsv; vcyear bare.tsv'
 check 'parts joined by cat, and the standard input' '
