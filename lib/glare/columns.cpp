@@ -3,6 +3,7 @@
 #include "glare/columns.h"
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include "base/error.h"
 #include "glare/refuse_column.h"
 
@@ -12,8 +13,7 @@ namespace {
 using M = const Measurement&;
 using G = const Glare&;
 constexpr Noise no_interval = Noise::no_interval, linear = Noise::linear;
-constexpr Requirements nothing = 0,
-                       uncompared = 1u << 31;  // -compare leaves it out unless it is named
+constexpr Requirements nothing = 0, uncompared = 1u << 31;  // -tolerance leaves it out unless it is named
 using require::sources, require::rammg, require::medians, require::mask, require::all_light, require::filled,
     require::regions_in_full, require::reach;
 
@@ -28,47 +28,50 @@ struct Entry {
     double (*value)(M);
     Noise noise;
     double (*of_glare)(G);
+    DefaultTolerance tolerance;
     bool has_filled = false;
-    Entry(const char* its_name, Requirements needs, double (*of)(M), Noise its_noise)
-        : name(its_name), required(needs), value(of), noise(its_noise), of_glare(nullptr) {}
-    Entry(const char* its_name, Requirements needs, double (*of)(G), Noise its_noise)
-        : name(its_name), required(needs), value(nullptr), noise(its_noise), of_glare(of) {}
-    Entry(const char* its_name, Filled, double (*of)(G), Noise its_noise)
-        : name(its_name), required(sources), value(nullptr), noise(its_noise), of_glare(of), has_filled(true) {}
+    Entry(const char* its_name, Requirements needs, double (*of)(M), Noise its_noise, DefaultTolerance its = {})
+        : name(its_name), required(needs), value(of), noise(its_noise), of_glare(nullptr), tolerance(its) {}
+    Entry(const char* its_name, Requirements needs, double (*of)(G), Noise its_noise, DefaultTolerance its = {})
+        : name(its_name), required(needs), value(nullptr), noise(its_noise), of_glare(of), tolerance(its) {}
+    Entry(const char* its_name, Filled, double (*of)(G), Noise its_noise, DefaultTolerance its = {})
+        : Entry(its_name, sources, of, its_noise, its) {
+        has_filled = true;
+    }
     double operator()(M m) const { return of_glare ? of_glare(m) : value(m); }
 };
 
 double omega_sources(G m) {
-    double sum = 0;
-    for (const GlareSource& s : m.sources) sum += s.omega;
-    return sum;
+    return std::accumulate(m.sources.begin(), m.sources.end(), 0.0, [](double sum, auto& s) { return sum + s.omega; });
 }
 double lum_sources(G m) {
-    double flux = 0;
-    for (const GlareSource& s : m.sources) flux += s.lum * s.omega;
+    const double flux = std::accumulate(m.sources.begin(), m.sources.end(), 0.0,
+                                        [](double sum, auto& s) { return sum + s.lum * s.omega; });
     return m.sources.empty() ? 0 : flux / omega_sources(m);
 }
 
 double class_value(G m) { return dgp_class(m.dgp); }
 
+// Tolerances of what is not one sum are the spread between builds of evalglare itself.
+constexpr DefaultTolerance exactly{0, 0};
 const Entry entries[] = {
     {"Ev", all_light, [](M m) { return m.placed_ev; }, linear},
-    {"DGP", filled_too, [](G m) { return m.dgp; }, Noise::dgp},
+    {"DGP", filled_too, [](G m) { return m.dgp; }, Noise::dgp, {2e-5, 0}},
     {"class", filled_too, class_value, no_interval},
     {"DGI", filled_too, [](G m) { return dgi(m.glare, m.background); }, Noise::glare},
     {"UGR", filled_too, [](G m) { return ugr(m.glare, m.background); }, Noise::glare},
-    {"VCP", filled_too, [](G m) { return vcp(m.glare, dgr(m.glare, m.mean_lum)); }, Noise::bias_alone},
+    {"VCP", filled_too, [](G m) { return vcp(m.glare, dgr(m.glare, m.mean_lum)); }, Noise::bias_alone, {0, .02}},
     {"CGI", filled_too, [](G m) { return cgi(m.glare, m.direct_lux, m.ev); }, Noise::glare},
     {"UGP", filled_too, [](G m) { return ugp(m.glare, m.background); }, Noise::glare},
     {"UGP2", sources, [](G m) { return ugp2(m.glare, m.background); }, Noise::glare},
     {"DGImod", sources, [](G m) { return dgi_mod(m.glare, m.background, m.ev); }, Noise::glare},
     {"UGRexp", sources, [](G m) { return ugr_exp(m.glare, m.background0, m.ev); }, Noise::glare},
-    {"DGR", sources, [](G m) { return dgr(m.glare, m.mean_lum); }, Noise::bias_alone},
+    {"DGR", sources, [](G m) { return dgr(m.glare, m.mean_lum); }, Noise::bias_alone, {0, .02}},
     {"PGSV", sources | mask | uncompared, [](M m) { return m.pgsv.value; }, no_interval},
     {"PGSVcon", sources | mask | uncompared, [](M m) { return m.pgsv.contrast; }, no_interval},
     {"PGSVsat", sources | mask | uncompared, [](M m) { return m.pgsv.saturation; }, no_interval},
-    {"Lveil", sources, [](G m) { return veil_poynter(m.glare); }, Noise::glare},
-    {"LveilCIE", sources, [](G m) { return veil_cie(m.glare, -HUGE_VAL); }, Noise::glare},
+    {"Lveil", sources, [](G m) { return veil_poynter(m.glare); }, Noise::glare, {0, .05}},
+    {"LveilCIE", sources, [](G m) { return veil_cie(m.glare, -HUGE_VAL); }, Noise::glare, {0, .05}},
     {"Lavg", nothing, [](M m) { return m.mean_lum; }, linear},
     {"Lmax", nothing, [](M m) { return m.max_lum; }, no_interval},
     {"Lmed", medians, [](M m) { return m.median; }, no_interval},
@@ -80,32 +83,28 @@ const Entry entries[] = {
     {"Lt", sources | uncompared, [](G m) { return m.task_lum; }, linear},
     {"threshold", sources | uncompared, [](G m) { return m.threshold; }, no_interval},
     {"Edir", sources, [](M m) { return m.placed_direct_lux; }, Noise::glare},
-    {"n_sources", filled_too, [](G m) { return double(m.sources.size()); }, no_interval},
+    {"n_sources", filled_too, [](G m) { return double(m.sources.size()); }, no_interval, exactly},
     {"omega_sources", sources, omega_sources, no_interval},
     {"L_sources", sources | uncompared, lum_sources, no_interval},
     {"RAMMG", rammg, [](M m) { return m.rammg; }, Noise::contrast},
     {"omega", uncompared, [](M m) { return m.omega; }, no_interval},
     {"pixels", uncompared, [](M m) { return double(m.valid_pixels); }, no_interval},
-    {"not_finite", uncompared, [](M m) { return double(m.not_finite); }, no_interval},
-    {"negative", uncompared, [](M m) { return double(m.negative); }, no_interval},
+    {"not_finite", uncompared, [](M m) { return double(m.not_finite); }, no_interval, exactly},
+    {"negative", uncompared, [](M m) { return double(m.negative); }, no_interval, exactly},
 };
 
+template <class Values>
 struct PartEntry {
     const char* name;
-    double RegionValues::*value;
+    double Values::*value;
     Noise noise;
 };
-const PartEntry parts[] = {
+const PartEntry<RegionValues> parts[] = {
     {"TAL", &RegionValues::tal, Noise::region},     {"mean", &RegionValues::mean, Noise::region},
     {"median", &RegionValues::median, no_interval}, {"min", &RegionValues::lowest, no_interval},
     {"max", &RegionValues::highest, no_interval},   {"share", &RegionValues::share, no_interval}};
 
-struct SetEntry {
-    const char* name;
-    double PixelStatistics::*value;
-    Noise noise;
-};
-const SetEntry set_parts[] = {
+const PartEntry<PixelStatistics> set_parts[] = {
     {"omega", &PixelStatistics::omega, no_interval},   {"mean", &PixelStatistics::mean, linear},
     {"median", &PixelStatistics::median, no_interval}, {"std", &PixelStatistics::deviation, no_interval},
     {"p75", &PixelStatistics::p75, no_interval},       {"p95", &PixelStatistics::p95, no_interval},
@@ -119,10 +118,7 @@ public:
         requirements_ = 0;
     }
     std::vector<Column> all() {
-        if (choice_.accelerad) {
-            accelerad();
-            return std::move(columns_);
-        }
+        if (choice_.accelerad) return accelerad(), std::move(columns_);
         std::vector<std::string> names = choice_.names;
         if (names.empty()) {
             names = {"Ev", "DGP"};
@@ -220,13 +216,13 @@ private:
     }
     bool region(const std::string& name) {
         bool found = false;
-        for (const PartEntry& part : parts)
+        for (const auto& part : parts)
             for (size_t k = 0; k < choice_.regions.size(); ++k) {
                 const std::string full = choice_.regions[k] + "." + part.name;
                 if (name != part.name && name != full) continue;
                 if (part.value != &RegionValues::tal) requirements_ |= regions_in_full;
-                const auto value = part.value;
-                columns_.push_back({full, [k, value](M m) { return m.region_values[k].*value; }, part.noise});
+                columns_.push_back(
+                    {full, [k, value = part.value](M m) { return m.region_values[k].*value; }, part.noise});
                 found = true;
             }
         const bool of_all = std::any_of(std::begin(parts), std::end(parts), [&](auto& p) { return name == p.name; });
@@ -237,12 +233,12 @@ private:
     bool pixel_set(const std::string& name) {
         bool found = false;
         const auto offer = [&](const char* set, bool there, std::optional<PixelStatistics> Measurement::*member) {
-            for (const SetEntry& part : set_parts) {
+            for (const auto& part : set_parts) {
                 const std::string full = std::string(set) + "." + part.name;
                 if (name != set && name != full) continue;
                 if (!there) base::fail("-metrics", name + " needs -B, -A, -l or -L");
-                const auto value = part.value;
-                columns_.push_back({full, [member, value](M m) { return (*(m.*member)).*value; }, part.noise});
+                columns_.push_back(
+                    {full, [member, value = part.value](M m) { return (*(m.*member)).*value; }, part.noise});
                 requirements_ |= sources;
                 found = true;
             }
@@ -255,7 +251,7 @@ private:
     }
     [[noreturn]] void refuse(const std::string& name) {
         std::vector<std::string> of_regions, names;
-        for (const PartEntry& part : parts) of_regions.push_back(part.name);
+        for (const auto& part : parts) of_regions.push_back(part.name);
         for (const Entry& e : entries)
             for (const char* const end : {"", has_bias(e.noise) ? "u" : "", e.has_filled ? "f" : ""})
                 names.push_back(e.name + std::string(end));
@@ -281,6 +277,11 @@ std::string pixels_column(const std::string& metric) {
     for (const Entry& e : entries)
         if (metric == e.name && e.has_filled && has_interval(e.noise)) return metric + ".px";
     return "";
+}
+
+DefaultTolerance tolerance_of(const std::string& metric) {
+    const auto row = std::find_if(std::begin(entries), std::end(entries), [&](auto& e) { return metric == e.name; });
+    return row == std::end(entries) ? DefaultTolerance{} : row->tolerance;
 }
 
 std::vector<std::string> compared_columns() {

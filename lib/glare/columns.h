@@ -53,7 +53,13 @@ std::vector<Column> choose_columns(const ColumnChoice& choice, const Settings& s
 // The column of the error that pixels cause in a metric, "DGP.px"; empty: there is none, or it has no interval.
 std::string pixels_column(const std::string& metric);
 
-// The columns that -compare compares if none is named.
+// By how much its values may differ where two inputs are compared: the wider of an amount and a share of the value.
+struct DefaultTolerance {
+    double amount = 0, share = 1e-4;
+};
+DefaultTolerance tolerance_of(const std::string& metric);
+
+// The columns that are compared if none is named.
 std::vector<std::string> compared_columns();
 
 // "Ev DGP DGI ...": for the help text.

@@ -8,26 +8,17 @@
 
 namespace report {
 
-// The default tolerance of -compare, or the one in `rules` ("DGP 0.01, Ev 1%"; "all 1%" for every metric).
-// A share refers to the larger of the two values.
+// The tolerance of the metric's row, or the last one in `rules` ("DGP 0.01, Ev 1%"; "all 1%" for every metric).
 Tolerance tolerance_for(const std::string& metric, const std::vector<Tolerance>& rules);
 
-// Throws Error on a rule for a metric that is none of these, so that a typing error does not pass as a wide tolerance.
-void require_known(const std::vector<Tolerance>& rules, const std::vector<std::string>& names);
+// A share refers to the larger of the two values.
+bool within(const Tolerance& tolerance, double first, double second);
 
-// The table with these metrics alone, in their order; throws Error if it lacks one.
-NumberTable only(const NumberTable& table, const std::vector<std::string>& metrics);
+// The table with these metrics alone, in their order; throws Error if it lacks one of them, which `whose` has.
+NumberTable only(const NumberTable& table, const std::vector<std::string>& metrics, const std::string& whose);
 
-struct Difference {
-    std::string row;  // its name, or its number from 1
-    std::string metric;
-    double first, second;
-    Tolerance tolerance;
-    bool within;
-};
-// Rows that have names on both sides (the picture's file, its view, its frame) are paired by them, others by their
-// order, and so are two single rows.  Throws Error if one side lacks a metric or a row of the other.
-std::vector<Difference> compare_tables(const NumberTable& first, const NumberTable& second,
-                                       const std::vector<Tolerance>& rules);
+// The row of `second` for each row of `first`.  Rows that have names on both sides (the picture's file, its view, its
+// frame) are paired by them, others by their order, and so are two single rows.  Throws Error if one side lacks a row.
+std::vector<size_t> pair_rows(const NumberTable& first, const NumberTable& second);
 
 }  // namespace report

@@ -43,7 +43,7 @@ std::vector<Tolerance> parse_tolerances(const std::string& rule, const std::stri
         std::istringstream words(part);
         Tolerance t;
         if (words >> t.metric && (t.metric == "class" || t.metric == "classf"))
-            base::fail(place, t.metric + " takes no tolerance, and cannot be used with -compare");
+            base::fail(place, t.metric + " takes no tolerance");
         std::string amounts[2];
         bool second = false;
         for (std::string word; words >> word;)

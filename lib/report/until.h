@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Rules such as 'DGP 0.01, Ev 1% or 0.1, class': tolerances of -until and -compare.
+// Rules such as 'DGP 0.01, Ev 1% or 0.1, class': tolerances of -until and -tolerance.
 #pragma once
 #include <optional>
 #include <string>

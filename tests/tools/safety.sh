@@ -169,8 +169,8 @@ check 'and do not read our standard input' '
 for words in '@/dev/zero' '-rif /dev/zero' '-vf /dev/zero'; do
     check_exit "ptrace $words ends" 1 "little_memory 4000000; timeout 60 ptrace $view -device cpu $words good.rad > x"
 done
-check_exit 'vcmetrics -compare /dev/zero ends' 1 "timeout 60 vcmetrics -compare /dev/zero /dev/zero"
-check_exit 'vcmetrics -tolerance /dev/zero ends' 1 "timeout 60 vcmetrics -compare -tolerance /dev/zero s.exr s.exr"
+check_exit 'vcmetrics -difference /dev/zero ends' 1 "timeout 60 vcmetrics -difference /dev/zero /dev/zero"
+check_exit 'vcmetrics -tolerance /dev/zero ends' 1 "timeout 60 vcmetrics -difference -tolerance /dev/zero s.exr s.exr"
 mkfifo fifo
 printf '!xform -rz 90 fifo\n' > f1.rad
 printf 'void instance i 1 fifo 0 0\n' > f2.rad

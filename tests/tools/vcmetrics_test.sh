@@ -193,7 +193,7 @@ check_error 'a full disc' 2 '^vcmetrics: ' 'vcmetrics office256.hdr > /dev/full'
 check_error 'what rewrites pictures is not here' 1 '^vcmetrics: -m: ' 'vcmetrics -m out.hdr office256.hdr'
 check '-c: a grey picture with coloured sources, which has the same metrics' '
     vcmetrics -c check.exr -metrics Ev,DGP,n_sources fire128.hdr > a; vcmetrics -metrics Ev,DGP,n_sources check.exr > b
-    vcmetrics -compare -tolerance "all 0.01%" a b; ptaccum -ff check.exr | strings > s; grep -q "^VIEW= -vta" s
+    vcmetrics -difference -tolerance "all 0.01%" a b; ptaccum -ff check.exr | strings > s; grep -q "^VIEW= -vta" s
     vcmetrics -c plain.exr -b 1e9 fire128.hdr; ! cmp check.exr plain.exr'
 # Programs that call evalglare, with their own words; each reads its line in its own way.
 mkdir as_evalglare && printf '#!/bin/sh\nexec vcmetrics -like evalglare "$@"\n' > as_evalglare/evalglare
@@ -229,55 +229,62 @@ check 'and its default line two blanks at the end' '
     vcmetrics -like evalglare office256.hdr | grep -q "^dgp,dgi,ugr,vcp,cgi,Lveil: 0.4216.*  $"'
 check_error 'mirrored solid angles come with a warning' 0 'warning: .*mirrored' 'vcmetrics -like evalglare shift.hdr'
 
+compare() { vcmetrics -difference -tolerance default "$@"; }
 check 'a picture compares with its own record' '
-    vcmetrics office256.hdr > rec.tsv && vcmetrics -compare rec.tsv office256.hdr'
+    vcmetrics office256.hdr > rec.tsv && compare rec.tsv office256.hdr'
 check 'and with recorded lines of evalglare' '
-    vcmetrics -d office256.hdr > rec.txt && vcmetrics -compare rec.txt office256.hdr'
-check_exit 'out of tolerance: status 5' 5 'vcmetrics -compare office256.hdr sunpeak.hdr'
+    vcmetrics -d office256.hdr > rec.txt && compare rec.txt office256.hdr'
+check 'its older name -compare goes on, and says so once' '
+    vcmetrics -compare rec.txt office256.hdr 2> said | diff - <(compare rec.txt office256.hdr)
+    [ $(wc -l < said) = 1 ]; grep -q "^vcmetrics: warning: -compare: is called -difference -tolerance default, " said
+    vcmetrics -help | grep -e -compare && return 1; true'
+check 'without a tolerance: the differences, of which a record has no interval' '
+    vcmetrics -difference rec.tsv office256.hdr | awk "NR > 1 && (\$5 ^ 2 > 1e-6 || \$6 != \"nan\") { exit 1 }"'
+check_exit 'out of tolerance: status 5' 5 'compare office256.hdr sunpeak.hdr'
 check 'unless the tolerance is wide' '
     printf "all 100000%% # wide\n\nDGP 2\n" > tol &&
-        vcmetrics -compare -tolerance tol -metrics Ev,DGP office256.hdr sunpeak.hdr'
+        vcmetrics -difference -tolerance tol -metrics Ev,DGP office256.hdr sunpeak.hdr'
 check 'the output of another run too: two streams' '
-    ptaccum < frames.lux > a.lux && vcmetrics -compare a.lux a.lux > t && ! grep -q "no$" t'
+    ptaccum < frames.lux > a.lux && compare a.lux a.lux > t && ! grep -q "no$" t'
 check_error 'a row too few' 1 '^vcmetrics: b.lux: has no row for frame 0 of a.lux$' '
-    ptaccum -last < frames.lux > b.lux && vcmetrics -W- -compare a.lux b.lux'
+    ptaccum -last < frames.lux > b.lux && compare -W- a.lux b.lux'
 check_error 'a metric too few' 1 'lacks the metric' '
     vcmetrics -metrics Ev,DGP office256.hdr > r1 && vcmetrics -metrics Ev office256.hdr > r2 &&
-        vcmetrics -compare r1 r2'
+        compare r1 r2'
 check '-metrics chooses what of a table is compared' '
     vcmetrics -metrics Ev,DGP office256.hdr > r1; sed "2s/\t[0-9.]*$/\t.5/" r1 > dgp;
     sed "2s/\t[0-9.]*\t/\t9\t/" r1 > ev
-    vcmetrics -compare -metrics DGP ev office256.hdr && vcmetrics -compare -metrics DGP ev r1
-    ! vcmetrics -compare -metrics DGP dgp office256.hdr && ! vcmetrics -compare -metrics DGP dgp r1'
+    compare -metrics DGP ev office256.hdr && compare -metrics DGP ev r1
+    ! compare -metrics DGP dgp office256.hdr && ! compare -metrics DGP dgp r1'
 check_error 'of which it must have them' 1 '^vcmetrics: r1: lacks the metric UGR of -metrics$' '
-    vcmetrics -compare -metrics UGR r1 office256.hdr'
+    compare -metrics UGR r1 office256.hdr'
 check_error 'a tolerance for an unknown metric is a typing error' 1 \
     '^vcmetrics: -tolerance: .*"DPG" here; did you mean DGP[?]$' '
-    vcmetrics -compare -tolerance "DPG .01" r1 office256.hdr'
-check 'one for a metric that is not compared is not' 'vcmetrics -compare -tolerance "UGR 1%" r1 office256.hdr'
+    vcmetrics -difference -tolerance "DPG .01" r1 office256.hdr'
+check 'one for a metric that is not compared is not' 'vcmetrics -difference -tolerance "UGR 1%" r1 office256.hdr'
 check_error 'a bad tolerance is reported with its option' 1 '^vcmetrics: -tolerance: "DGP x"' '
-    vcmetrics -compare -tolerance "DGP x" r1 r1'
+    vcmetrics -difference -tolerance "DGP x" r1 r1'
 check_error 'or by the line of its file' 1 '^vcmetrics: tol:2: "DGP"' '
-    printf "Ev 1%%\nDGP\n" > tol; vcmetrics -compare -tolerance tol r1 r1'
+    printf "Ev 1%%\nDGP\n" > tol; vcmetrics -difference -tolerance tol r1 r1'
 mkdir -p elsewhere && cp office256.hdr sunpeak.hdr elsewhere
 check 'rows are paired by the picture, wherever it lay' '
     for f in tsv csv jsonl; do
         vcmetrics -format $f office256.hdr sunpeak.hdr > one;
         vcmetrics -format $f elsewhere/sunpeak.hdr elsewhere/office256.hdr > two
-        vcmetrics -compare one two > t; grep -q "^sunpeak.hdr.Ev" t; done'
+        compare one two > t; grep -q "^sunpeak.hdr.Ev" t; done'
 check_error 'and one that is missing is named' 1 '^vcmetrics: two: has no row for file sunpeak.hdr of one$' '
-    vcmetrics office256.hdr sunpeak.hdr > one; vcmetrics office256.hdr > two; vcmetrics -compare one two'
+    vcmetrics office256.hdr sunpeak.hdr > one; vcmetrics office256.hdr > two; compare one two'
 check 'rows of a stream are paired by their frame' '
     ptaccum < frames.lux | vcmetrics > one; { head -n 1 one; tail -n +2 one | tac; } > two;
-    vcmetrics -compare one two > t
-    grep -q "^40.Ev" t; ptaccum < frames.lux > a.lux; vcmetrics -compare two a.lux'
+    compare one two > t
+    grep -q "^40.Ev" t; ptaccum < frames.lux > a.lux; compare two a.lux'
 check 'intervals are compared, too, in tables and in JSON' '
     ptaccum < frames.lux > a.lux; vcmetrics -W -metrics Ev,DGP,class -ci 95 a.lux > one
     vcmetrics -W -metrics Ev,DGP,class -ci 95 -format jsonl a.lux > two
-    vcmetrics -compare one two > t; grep -q "Ev.lo" t; grep -q "DGP.hi" t; ! grep -q tails t'
+    compare one two > t; grep -q "Ev.lo" t; grep -q "DGP.hi" t; ! grep -q tails t'
 check 'of one picture a side the names may differ' '
-    cp office256.hdr new.hdr; vcmetrics new.hdr > two; vcmetrics -compare r1 office256.hdr &&
-        vcmetrics -metrics Ev,DGP new.hdr > two && vcmetrics -compare r1 two'
+    cp office256.hdr new.hdr; vcmetrics new.hdr > two; compare r1 office256.hdr &&
+        vcmetrics -metrics Ev,DGP new.hdr > two && compare r1 two'
 
 # Glare sources drawn
 check 'outlines are added to the sources, and change nothing else' '

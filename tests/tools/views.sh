@@ -35,7 +35,7 @@ check 'vcmetrics has columns for view and sky' '
 check 'also of files, and a recorded table of them compares' '
     vcmetrics -metrics Ev desk_sky_0900.exr up_sky_0900.exr > table.tsv
     [ "$(cut -f 1-3 table.tsv | sed -n 2p | tr "\t" ,)" = desk_sky_0900.exr,desk,sky_0900 ]
-    vcmetrics -compare table.tsv table.tsv -tolerance "Ev 1%"'
+    vcmetrics -difference table.tsv table.tsv -tolerance "Ev 1%"'
 check '-S numbers the views of the standard input, each a change of the one before' '
     printf "VIEW= -vp 2 2.7 1.2\nVIEW= -vd 1 0 0\n" |
         render -frames 2 -vta -vd 0 -1 0 -vh 180 -vv 180 -S 7 $scene $office/sky_0900.rad > s.str

@@ -182,10 +182,11 @@ TEST_CASE("numbers for a reader have the digits that their interval leaves meani
 TEST_CASE("tables compare metric by metric") {
     const NumberTable a{"a", {"Ev", "DGP"}, {}, {}, {{1000, 0.3}}, {}},
         b{"b", {"DGP", "Ev"}, {}, {}, {{0.3001, 1000.01}}, {}}, c{"c", {"Ev"}, {}, {}, {{1000}}, {}};
-    const auto d = compare_tables(a, b, {});
-    REQUIRE(d.size() == 2);
-    CHECK(d[0].within);        // 0.01 %
-    CHECK_FALSE(d[1].within);  // 2e-5
-    CHECK(compare_tables(a, b, parse_tolerances("DGP 1%", "-tolerance"))[1].within);
-    CHECK_THROWS_AS(compare_tables(a, c, {}), base::Error);
+    CHECK(only(b, a.names, "a").rows[0] == std::vector<double>{1000.01, 0.3001});
+    CHECK_THROWS_AS(only(c, a.names, "a"), base::Error);
+    CHECK(within(tolerance_for("Ev", {}), 1000, 1000.01));       // 0.01 %
+    CHECK_FALSE(within(tolerance_for("DGP", {}), 0.3, 0.3001));  // 2e-5
+    CHECK(within(tolerance_for("DGP", parse_tolerances("DGP 1%", "-tolerance")), 0.3, 0.3001));
+    CHECK(within(tolerance_for("DGP", {}), std::nan(""), std::nan("")));
+    CHECK(pair_rows(a, b) == std::vector<size_t>{0});
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/error.h"
 #include "base/split.h"
 #include "glare/columns.h"
 
@@ -77,10 +78,19 @@ void declare_comparison(OptionTable& t, Options& o) {
           [&](Arguments& a) { o.max_frames = a.integer(base::within(1, 1e15)); });
     t.add("-max-seconds s", "Stop after this many seconds", o.max_seconds).above(0);
     t.add("-control fifo", "End each picture of the stream by itself: \"next\" to this FIFO of ptrace", o.control);
-    t.add("-compare", "Compare two inputs: pictures, streams, recorded tables or evalglare's lines", o.compare);
-    t.add("-difference", "Print the difference of each metric between two pictures or streams, with its interval",
+    t.add("-difference",
+          "Print the difference of each metric between two inputs: pictures, streams, recorded tables or evalglare's "
+          "lines",
           o.difference);
-    t.add("-tolerance rules", "For -compare: 'DGP 0.01, Ev 1%, all 2%', or a file of such lines", o.tolerances);
+    t.add("-tolerance rules", "Must differences be within 'DGP 0.01, Ev 1%, all 2%', a file of such lines, or default",
+          [&](Arguments& a) { o.tolerances = a.text(); })
+        .default_text("none");
+    t.group("");
+    t.add("-compare", "", [&](Arguments&) {
+        base::warn("-compare", "is called -difference -tolerance default, and goes with the next version");
+        o.difference = true;
+        if (!o.tolerances) o.tolerances = "default";
+    });
 }
 
 void declare_definitions(OptionTable& t, Options& o) {

@@ -1,14 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Measures the last sum of each picture of both inputs, and prints a line for each metric (difference_inputs.h).
+// Reads both inputs, records or pictures, and prints a line for each metric (difference_inputs.h).
 #include "difference_inputs.h"
 
-#include <cmath>
+#include <unistd.h>
 
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "base/edit_distance.h"
 #include "base/error.h"
 #include "base/run.h"
+#include "base/split.h"
+#include "base/text_file.h"
 #include "image/header.h"
 #include "image/stream.h"
 #include "measure_stream.h"
+#include "report/compare.h"
 #include "report/table.h"
 #include "run.h"
 #include "uncertainty/difference.h"
@@ -17,80 +25,117 @@ namespace {
 using namespace glare;
 using namespace report;
 
-struct Total {
-    std::string label;
-    std::vector<double> values;  // without bias where it is known
-    std::optional<uncertainty::Replicates> replicates;
+// Values without bias where it is known.
+struct Side {
+    NumberTable table;
+    std::vector<Column> columns;                                     // empty: a record's
+    std::vector<std::optional<uncertainty::Replicates>> replicates;  // of the rows of sums
 };
 
-struct Side {
-    std::string file;
-    std::vector<Column> columns;
-    std::vector<Total> totals;
-};
+// Rules as typed, or the lines of a file (# begins a comment).
+std::vector<Tolerance> rules_of(const std::string& text) {
+    if (text == "default") return {};
+    if (access(text.c_str(), F_OK) != 0) return parse_tolerances(text, "-tolerance");
+    std::istringstream in(base::read_text_file(text));
+    std::vector<Tolerance> out;
+    int number = 0;
+    for (std::string line; std::getline(in, line);) {
+        ++number;
+        line = line.substr(0, line.find('#'));
+        if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
+        for (const Tolerance& t : parse_tolerances(line, text + ":" + std::to_string(number))) out.push_back(t);
+    }
+    return out;
+}
+
+// A typing error shall not pass as a wide tolerance; metrics that other -metrics would compare are none.
+void require_known(const std::vector<Tolerance>& rules, const NumberTable& compared) {
+    std::vector<std::string> names = base::split_words(glare::column_names());
+    names.insert(names.end(), compared.names.begin(), compared.names.end());
+    names.push_back("all");
+    for (const Tolerance& rule : rules)
+        if (std::find(names.begin(), names.end(), rule.metric) == names.end())
+            base::fail("-tolerance",
+                       "there is no metric \"" + rule.metric + "\" here" + base::question(rule.metric, names));
+}
 
 bool begins(const image::Header& before, const image::Header& next) {
     return image::label(next) != image::label(before) || !next.frames || !before.frames ||
            *next.frames <= *before.frames;
 }
 
-Total total_of(const image::Header& last, const std::vector<Column>& columns, const Sum& sum, const Measurement& m) {
-    Total out{image::label(last), {}, {}};
-    if (sum.looked) out.replicates = sum.look.replicates;
-    for (size_t k = 0; k < columns.size(); ++k) {
-        const double unbiased = sum.looked ? sum.look.estimate(k).value : std::nan("");
-        out.values.push_back(std::isnan(unbiased) ? columns[k].value(m) : unbiased);
-    }
-    return out;
-}
-
-Side read_side(const Options& o, const std::string& file) {
+// Rows are the last sum of each picture, or every one.
+Side measured(const Options& o, const std::string& file, bool every) {
     const std::string place = place_of(file, 0).text;
     const RunPlan plan = plan_run(o);
-    Side out{place, plan.columns, {}};
+    Side out{{place, {}, {every ? "frame" : "picture"}, {}, {}, {}}, plan.columns, {}};
+    for (const Column& c : plan.columns) out.table.names.push_back(c.name);
     Reading reading;
     Sum sum;
-    std::optional<image::Picture> last;
+    image::Picture last;  // which `reading` is of
+    long index = 0;
     const auto finish = [&] {
         const Measurement m = measure(reading);
         sum.ends = true;
-        sum = look(std::move(sum), reading, m, plan.columns, 0);
-        out.totals.push_back(total_of(last->header, plan.columns, sum, m));
+        if (!every) sum = look(std::move(sum), reading, m, plan.columns, 0);
+        std::vector<double> values;
+        for (const Column& c : plan.columns) {
+            const double unbiased = sum.looked ? sum.look.estimate(values.size()).value : std::nan("");
+            const bool unknown = every && c.printed_unbiased && !c.of_filled;
+            values.push_back(std::isnan(unbiased) && !unknown ? c.value(m) : unbiased);
+        }
+        const auto frame = [&] { return std::to_string(frame_number(last.header, place_of(file, index - 1))); };
+        out.table.add_row(values, {every ? frame() : image::label(last.header)});
+        out.replicates.emplace_back();
+        if (sum.looked) out.replicates.back() = sum.look.replicates;
     };
     image::StreamReader reader(file, pixels_for(o));
-    for (image::Picture next; reader.next(next); last = std::move(next)) {
-        require_measurable(next, place);
-        if (last && begins(last->header, next.header)) finish();
+    for (image::Picture next; reader.next(next); last = std::move(next), ++index) {
+        require_pairs(plan);
+        require_measurable(next, place_of(file, index).text);
+        if (index && (every || begins(last.header, next.header))) finish();
         reading = read(plan.measured, next, place, o.view, std::move(reading));
-        sum = add(std::move(sum), next, reading, place, true);
+        if (!every) sum = add(std::move(sum), next, reading, place, true);
     }
-    if (last) finish();
-    end_input(std::move(sum), place, true);
+    if (index) finish();
+    end_input(std::move(sum), place, !every);
     return out;
 }
 
-void require_pairs(const Side& a, const Side& b) {
-    if (a.totals.size() != b.totals.size())
-        base::fail(b.file, "has " + std::to_string(b.totals.size()) + " pictures, " + a.file + " has " +
-                               std::to_string(a.totals.size()));
-    for (size_t k = 0; k < a.totals.size(); ++k)
-        if (a.totals[k].label != b.totals[k].label)
-            base::fail(b.file, "its picture " + std::to_string(k + 1) + " is \"" + b.totals[k].label + "\", that of " +
-                                   a.file + " \"" + a.totals[k].label + "\"");
+// Both with the same metrics: those of -metrics, or else of a record, or else all that have a tolerance.
+std::pair<Side, Side> both_sides(Options o) {
+    std::optional<NumberTable> records[2] = {read_numbers(o.files[0]), read_numbers(o.files[1])};
+    const bool every = o.tolerances || records[0] || records[1], chosen = !o.metrics.empty();
+    if (o.mode == OutputMode::evalglare) o.mode = OutputMode::vcmetrics;  // its rounding stays, the columns are ours
+    for (const auto& record : records)
+        if (record && !chosen) o.metrics = record->names;
+    if (every && o.metrics.empty()) {
+        o.metrics = compared_columns();
+        if (!o.regions_file.empty()) o.metrics.push_back("TAL");
+        if (!o.contrast_pairs.empty()) o.metrics.push_back("CR");
+    }
+    Side sides[2];
+    for (int k = 0; k < 2; ++k)
+        if (!records[k]) sides[k] = measured(o, o.files[size_t(k)], every);
+        else sides[k].table = chosen ? only(*records[k], o.metrics, "-metrics") : *records[k];
+    NumberTable &first = sides[0].table, &second = sides[1].table;
+    only(first, second.names, second.name);
+    second = only(second, first.names, first.name);
+    return {std::move(sides[0]), std::move(sides[1])};
 }
 
-// Differences that have no interval are those of the values.
-std::vector<uncertainty::Estimate> differences(const Side& a, const Side& b, size_t picture) {
-    const Total &first = a.totals[picture], &second = b.totals[picture];
-    if (first.replicates && second.replicates) {
-        if (!uncertainty::same_frames(*first.replicates, *second.replicates))
-            base::warn(b.file, "its parts hold other frames or seeds than those of " + a.file +
-                                   ": both errors count as independent");
-        return uncertainty::difference(*first.replicates, *second.replicates, quantities_of(b.columns));
+// Of these rows; differences that have no interval are those of the values.
+std::vector<uncertainty::Estimate> differences(const Side& a, size_t row, const Side& b, size_t partner) {
+    if (row < a.replicates.size() && partner < b.replicates.size() && a.replicates[row] && b.replicates[partner]) {
+        const uncertainty::Replicates &first = *a.replicates[row], &second = *b.replicates[partner];
+        if (!uncertainty::same_frames(first, second))
+            base::warn(b.table.name, "its parts hold other frames or seeds than those of " + a.table.name +
+                                         ": both errors count as independent");
+        return uncertainty::difference(first, second, quantities_of(b.columns));
     }
     std::vector<uncertainty::Estimate> out;
-    for (size_t k = 0; k < first.values.size(); ++k)
-        out.push_back({second.values[k] - first.values[k], std::nan(""), 0, 0, false, 0});
+    for (size_t k = 0; k < a.table.names.size(); ++k)
+        out.push_back({b.table.rows[partner][k] - a.table.rows[row][k], std::nan(""), 0, 0, false, 0});
     return out;
 }
 
@@ -100,26 +145,38 @@ double told_apart(double low, double high) { return std::isnan(low + high) ? std
 }  // namespace
 
 int difference_inputs(const Options& o) {
-    const Side a = read_side(o, o.files[0]), b = read_side(o, o.files[1]);
-    require_pairs(a, b);
-    const std::vector<std::string> names = {"row", "metric", "first", "second", "difference",
-                                            "lo",  "hi",     "apart", "se",     "df"};
+    const std::vector<Tolerance> rules = rules_of(o.tolerances.value_or("default"));
+    const auto [a, b] = both_sides(o);
+    require_known(rules, a.table);
+    std::vector<std::string> names = {"row", "metric", "first", "second", "difference"};
+    if (o.tolerances) names.insert(names.end(), {"tolerance", "within"});
+    else names.insert(names.end(), {"lo", "hi", "apart", "se", "df"});
     std::string text = header_line(names, o.format);
-    for (size_t row = 0; row < a.totals.size(); ++row) {
-        const std::vector<uncertainty::Estimate> d = differences(a, b, row);
-        const std::string& label = a.totals[row].label;
+    const std::vector<size_t> partner = pair_rows(a.table, b.table);
+    bool all_within = true;
+    for (size_t row = 0; row < partner.size(); ++row) {
+        const std::vector<uncertainty::Estimate> d = differences(a, row, b, partner[row]);
+        const std::string& label = a.table.row_names[row];
         for (size_t k = 0; k < d.size(); ++k) {
-            if (a.columns[k].words) continue;
-            const uncertainty::Interval off = d[k].around(1 - o.ci.value_or(.95), d[k].frames);
+            if (k < a.columns.size() && a.columns[k].words) continue;
+            const double first = a.table.rows[row][k], second = b.table.rows[partner[row]][k];
             std::vector<Cell> cells = {text_cell(label.empty() ? std::to_string(row + 1) : label),
-                                       text_cell(a.columns[k].name)};
-            const double low = d[k].value + off.low, high = d[k].value + off.high;
-            for (double v : {a.totals[row].values[k], b.totals[row].values[k], d[k].value, low, high,
-                             told_apart(low, high), d[k].error_known_after(d[k].frames), d[k].degrees})
-                cells.push_back(number_cell(v));
+                                       text_cell(a.table.names[k])};
+            for (double v : {first, second, d[k].value}) cells.push_back(number_cell(v));
+            if (o.tolerances) {
+                const Tolerance t = tolerance_for(a.table.names[k], rules);
+                const bool is_within = within(t, first, second);
+                cells.insert(cells.end(), {text_cell(t.text()), text_cell(is_within ? "yes" : "no")});
+                all_within = all_within && is_within;
+            } else {
+                const uncertainty::Interval off = d[k].around(1 - o.ci.value_or(.95), d[k].frames);
+                const double low = d[k].value + off.low, high = d[k].value + off.high;
+                for (double v : {low, high, told_apart(low, high), d[k].error_known_after(d[k].frames), d[k].degrees})
+                    cells.push_back(number_cell(v));
+            }
             text += table_line(names, cells, o.format);
         }
     }
     base::write_stdout(text.data(), text.size());
-    return 0;
+    return all_within ? 0 : 5;
 }

@@ -2,7 +2,6 @@
 // vcmetrics - glare and visual-comfort metrics of pictures or of a stream of them, one line a picture.
 // The metrics live in lib/glare; this file only connects them.  See man/vcmetrics.1.
 #include "base/run.h"
-#include "compare_inputs.h"
 #include "difference_inputs.h"
 #include "measure_stream.h"
 #include "options.h"
@@ -11,7 +10,6 @@ int main(int argc, char** argv) {
     return base::run("vcmetrics", [&] {
         Options options;
         if (const auto status = parse_options(argc, argv, options)) return *status;
-        if (options.difference) return difference_inputs(options);
-        return options.compare ? compare_inputs(options) : measure_all(options);
+        return options.difference ? difference_inputs(options) : measure_all(options);
     });
 }

@@ -163,28 +163,3 @@ int measure_all(const Options& o) {
     if (o.mode == OutputMode::evalglare && o.evalglare.ev_only) return 1;  // as evalglare -V
     return end(status(o, run.progress));
 }
-
-report::NumberTable measure_table(const Options& options, const std::string& file,
-                                  const std::vector<std::string>& metrics) {
-    Options o = options;
-    o.metrics = metrics;
-    if (o.mode == OutputMode::evalglare) o.mode = OutputMode::vcmetrics;  // its rounding stays, the columns are ours
-    const RunPlan plan = plan_run(o);
-    NumberTable table{file, {}, {"frame"}, {}, {}, {}};
-    for (const Column& c : plan.columns) table.names.push_back(c.name);
-    image::StreamReader reader(file, pixels_for(o));
-    image::Picture picture;
-    Reading reading;
-    for (long index = 0; reader.next(picture); ++index) {
-        const PicturePlace place = place_of(file, index);
-        require_pairs(plan);
-        require_measurable(picture, place.text);
-        reading = read(plan.measured, picture, place.text, o.view, std::move(reading));
-        const Measurement m = measure(reading);
-        std::vector<double> values;
-        for (const Column& c : plan.columns)
-            values.push_back(c.printed_unbiased && !c.of_filled ? std::nan("") : c.value(m));
-        table.add_row(values, {std::to_string(frame_number(picture.header, place))});
-    }
-    return table;
-}

@@ -52,17 +52,18 @@ void check_said(const base::OptionTable& t, const Options& o) {
 // Refuses options that need intervals of luxpipe's own columns.
 void check_intervals(const Options& o) {
     const bool against = !o.against.empty();
-    if (!o.ci && !against && !o.difference && o.until.empty()) return;
-    const char* const option = o.ci ? "-ci" : against ? "-against" : o.difference ? "-difference" : "-until";
-    if (o.mode != OutputMode::vcmetrics || o.list_sources || o.compare)
-        base::fail(option, "works on vcmetrics' own columns and cannot be used with -like, -sources or -compare");
+    const bool difference = o.difference && !o.tolerances;
+    if (!o.ci && !against && !difference && o.until.empty()) return;
+    const char* const option = o.ci ? "-ci" : against ? "-against" : difference ? "-difference" : "-until";
+    if (o.mode != OutputMode::vcmetrics || o.list_sources)
+        base::fail(option, "works on vcmetrics' own columns and cannot be used with -like or -sources");
     if (o.settings.field_cut || o.settings.fill)
         base::fail(option, "needs the whole picture as it is and cannot be used with -G or -I");
 }
 
 void check(const Options& o) {
     if (o.settings.mask_file && o.settings.zones) base::fail("-A", "a mask and zones (-l, -L) cannot be used together");
-    if (o.mode != OutputMode::vcmetrics && !o.compare && (o.list_sources || !o.metrics.empty()))
+    if (o.mode != OutputMode::vcmetrics && !o.difference && (o.list_sources || !o.metrics.empty()))
         base::fail("-like", "prints its own columns and cannot be used with -metrics or -sources");
     if (o.mode != OutputMode::vcmetrics && !o.until.empty())
         base::fail("-until", "works on vcmetrics' own columns and cannot be used with -like");
@@ -70,8 +71,8 @@ void check(const Options& o) {
         base::fail("-metrics", "are of grids as a whole, and cannot be used with -each or -like rtrace, of each point");
     if (o.list_sources && !o.until.empty()) base::fail("-until", "works on metrics and cannot be used with -sources");
     check_intervals(o);
-    if (o.last && (!o.until.empty() || o.max_frames || o.max_seconds || o.compare || o.difference))
-        base::fail("-last", "cannot be used with -until, -max-frames, -max-seconds, -compare or -difference");
+    if (o.last && (!o.until.empty() || o.max_frames || o.max_seconds || o.difference))
+        base::fail("-last", "cannot be used with -until, -max-frames, -max-seconds or -difference");
     if (!o.control.empty() && o.until.empty() && !o.max_frames)
         base::fail("-control", "needs -until or -max-frames, which say when a picture ends");
     if (!o.control.empty() && !o.files.empty()) base::fail("-control", "works on a stream, not on files");
@@ -81,7 +82,7 @@ void check(const Options& o) {
     if (!o.over_file.empty() && ((over != ".png" && over != ".svg") || o.mode != OutputMode::vcmetrics))
         base::fail("-over", "writes a .png of vcmetrics' own columns, or a .svg of points");
     if (!o.report_file.empty()) {
-        const bool own = o.mode == OutputMode::vcmetrics && !o.list_sources && !o.compare && !o.difference;
+        const bool own = o.mode == OutputMode::vcmetrics && !o.list_sources && !o.difference;
         if (image::ending_of(o.report_file) != ".html" || !own)
             base::fail("-report", "writes an .html file of vcmetrics' own columns");
         image::require_writable_ending(o.report_file, {".html"});
@@ -100,17 +101,13 @@ void check(const Options& o) {
     if (!o.against.empty() && o.against != "previous" && o.against != "first" && !std::ifstream(o.against))
         base::fail("-against", "\"" + o.against + "\" is neither previous nor first, nor a file that can be read");
     if (!o.files.empty() && !o.against.empty()) base::fail("-against", "works on a stream, not on files");
-    if (o.difference) {
-        if (o.files.size() != 2) base::fail("-difference", fmt::format("takes two inputs, not {}", o.files.size()));
-        if (!o.until.empty() || !o.check_file.empty()) base::fail("-difference", "cannot be used with -until or -c");
-    }
-    if (!o.compare) return;
+    if (o.tolerances && !o.difference) base::fail("-tolerance", "belongs to -difference");
+    if (!o.difference) return;
 
-    if (o.files.size() != 2) base::fail("-compare", fmt::format("compares two inputs, not {}", o.files.size()));
+    if (o.files.size() != 2) base::fail("-difference", fmt::format("takes two inputs, not {}", o.files.size()));
     const bool no_table = o.mode == OutputMode::evalglare && (o.evalglare.ev_only || o.evalglare.fast);
-    if (!o.check_file.empty()) base::fail("-c", "a comparison writes no check picture");
-    if (!o.until.empty() || o.list_sources || no_table)
-        base::fail("-compare", "works on tables of metrics and cannot be used with -until, -sources, -V, -1, -2 or -3");
+    if (!o.until.empty() || !o.check_file.empty() || o.list_sources || no_table)
+        base::fail("-difference", "cannot be used with -until, -sources, -c, -V, -1, -2 or -3");
 }
 
 // What a report shows where the command line does not say it.
@@ -145,7 +142,7 @@ std::optional<int> parse_options(int argc, char** argv, Options& o) {
     if (!o.report_file.empty() && o.mode == OutputMode::vcmetrics) complete_for_report(o);
     check_said(table, o);
     check(o);
-    const bool own_rows = o.mode == OutputMode::vcmetrics && !o.compare && !o.difference;
+    const bool own_rows = o.mode == OutputMode::vcmetrics && !o.difference;
     if (own_rows && o.format == report::TableFormat::tsv && base::stdout_is_terminal())
         o.format = report::TableFormat::aligned;
     if (o.evalglare.fast) o.settings.background = 0;  // the fast modes ignore -q

@@ -44,12 +44,12 @@ struct Options {
     std::optional<int64_t> max_frames;
     std::optional<double> max_seconds;
     std::string control;  // -control: a FIFO of the renderer; empty: none
-    bool compare = false, difference = false;
+    bool difference = false;
     bool warnings = true;
-    std::string check_file;          // -c
-    std::string command;             // the whole command line, for its header
-    std::string tolerances;          // rules, or a file of them
-    std::optional<view::View> view;  // replaces the header's
+    std::string check_file;                 // -c
+    std::string command;                    // the whole command line, for its header
+    std::optional<std::string> tolerances;  // of -difference: rules, or a file of them
+    std::optional<view::View> view;         // replaces the header's
 };
 
 // A status: help, version or defaults were printed, main() ends with it.
