@@ -3,12 +3,25 @@
 // and the frozen octree that places it, or each triangle a polygon of its own, as a frozen octree or as text.  obj2mesh
 // does not end for ten million, and oconv takes minutes.  The trees are left empty, which readers that build a
 // hierarchy of their own do not look at. Usage: large_mesh TRIANGLES (heap.rtm heap.oct | heap.oct | heap.rad)
+#include <cmath>
+#include <cstdio>
 #include <cstdlib>
+#include <string>
 #include <vector>
 
-#include "portable_binary.h"
-
 namespace {
+
+// As RADIANCE's binary files hold them.
+void put(FILE* f, long long v, int bytes) {
+    while (bytes-- > 0) std::putc(int(v >> (8 * bytes) & 255), f);
+}
+void put_real(FILE* f, double v) {
+    int e = 0;
+    const double m = std::frexp(v, &e);
+    put(f, v == 0 ? 0 : (long long)(m * 0x7fffffff), 4);
+    put(f, v == 0 ? 0 : e, 1);
+}
+void put_text(FILE* f, const std::string& s) { std::fwrite(s.c_str(), 1, s.size() + 1, f); }
 
 constexpr int PATCH = 15;                 // quadrilaterals along each side of a patch: 256 vertices, 450 triangles
 constexpr double X = 0, Y = 0, SIZE = 6;  // of the cube whose 32-bit fractions the coordinates are

@@ -4,7 +4,7 @@
 // instances stand for.  One more tree has only what of tree 0 lets shadow rays pass, so
 // that they look for panes there alone.  Where trees begin: ROOT_OF_TREE, ROOT_OF_PANES (kernels/bvh/intersect.h).  An
 // empty scene gives empty nodes and no leaves. Memory per triangle of large meshes: 55 bytes (BVH8) or 57 (compact),
-// with BVH8's 75 at most while building (bench/traversal), twice as much for what lets shadow rays pass; scattered
+// with BVH8's 75 at most while building, twice as much for what lets shadow rays pass; scattered
 // single polygons take more, up to 200. 10 million triangles: 6.5 s of one core. Limits: 2^29 primitives, 2^30 leaf
 // blocks; nodes and leaves are addressed with 64-bit offsets, so more than 4 GB is fine.
 #pragma once
