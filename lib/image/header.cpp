@@ -5,7 +5,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
+#include <string_view>
 
 #include "base/error.h"
 #include "base/number.h"
@@ -16,88 +18,112 @@ namespace {
 
 constexpr size_t longest_line = 2040;  // RADIANCE reads lines of at most 2047 characters
 
-template <size_t size>
-std::optional<std::string> value_of(const std::string& line, const char (&key)[size]) {
-    constexpr size_t n = size - 1;
-    if (!base::begins_with(line, {key, n})) return std::nullopt;
-    const size_t from = line.find_first_not_of(' ', n);
-    if (from == std::string::npos) return std::string();
-    return line.substr(from, line.find_last_not_of(" \t\r") + 1 - from);
+// A line whose key is known: what follows the key, and where it goes.
+struct Field {
+    const std::string &line, text, &where;
+    Header& h;
+    Encoding& e;
+};
+using F = const Field&;
+
+[[noreturn]] void fail(F f, const std::string& fact) { base::fail(f.where, "header line \"" + f.line + "\"" + fact); }
+
+// What stands behind the key.
+std::string value_of(const std::string& line, size_t key) {
+    const size_t from = line.find_first_not_of(' ', key);
+    return from == std::string::npos ? "" : line.substr(from, line.find_last_not_of(" \t\r") + 1 - from);
 }
 
 // Reads exactly the numbers asked for; anything else is an error of the line.
 template <size_t n>
-std::array<double, n> numbers(const std::string& line, const std::string& text, const std::string& where) {
+std::array<double, n> numbers(F f) {
     std::array<double, n> all{};
-    const std::vector<std::string> words = base::split_words(text);
+    const std::vector<std::string> words = base::split_words(f.text);
     bool good = words.size() == n;
     for (size_t i = 0; good && i < n; ++i) good = base::parse_real(words[i], all[i]);
-    if (!good) base::fail(where, "header line \"" + line + "\" is malformed");
+    if (!good) fail(f, " is malformed");
     return all;
 }
 
 // Times what such lines before it have given.  A product that no float could hold would leave only 0 and infinity.
-void multiply(double& product, double factor, const std::string& line, const std::string& where) {
-    if (!(factor > 0)) base::fail(where, "header line \"" + line + "\" is not above 0");
+void multiply(double& product, double factor, F f) {
+    if (!(factor > 0)) fail(f, " is not above 0");
     product *= factor;
-    if (!(product >= 1e-30 && product <= 1e30))
-        base::fail(where, fmt::format("header line \"{}\": {:g} is not within 1e-30 to 1e30", line, product));
-}
-
-bool overlap(const std::pair<int64_t, int64_t>& a, const std::pair<int64_t, int64_t>& b) {
-    return a.first <= b.second && b.first <= a.second;
-}
-
-void add_range(Ranges& ranges, const std::pair<int64_t, int64_t>& more, const std::string& line,
-               const std::string& where) {
-    for (const auto& r : ranges)
-        if (overlap(r, more))
-            base::fail(where, fmt::format("header line \"{}\": RANGE={}:{} before it holds such frames, too", line,
-                                          r.first, r.second));
-    ranges.push_back(more);
+    if (!(product >= 1e-30 && product <= 1e30)) fail(f, fmt::format(": {:g} is not within 1e-30 to 1e30", product));
 }
 
 // Integers may exceed a double's 53 bits (seeds).
 template <class Int>
-Int integer(const std::string& line, const std::string& text, const std::string& where) {
+Int integer(F f, const std::string& text) {
     Int value{};
     const char *first = text.data(), *const last = first + text.size();
     while (first < last && (*first == ' ' || *first == '\t')) ++first;
     if (first < last && *first == '+') ++first;
     const auto [end, error] = std::from_chars(first, last, value);
-    if (first == last || *first == '-' || error != std::errc() || end != last)
-        base::fail(where, "header line \"" + line + "\" is not a whole number from 0");
+    if (first == last || *first == '-' || error != std::errc() || end != last) fail(f, " is not a whole number from 0");
     return value;
 }
+int64_t count(F f) { return integer<int64_t>(f, f.text); }
 
 // Frames are counted in 32 bits (man/luxpipe-stream.5); sums of them fit 64 then.
-int64_t frame_number(const std::string& line, const std::string& text, const std::string& where) {
-    const auto value = integer<int64_t>(line, text, where);
-    if (value > 0xfffffffe) base::fail(where, "header line \"" + line + "\": frames end at 4294967294");
+int64_t frame_number(F f, const std::string& text) {
+    const auto value = integer<int64_t>(f, text);
+    if (value > 0xfffffffe) fail(f, ": frames end at 4294967294");
     return value;
 }
 
-int side(const std::string& line, const std::string& text, const std::string& where) {
-    const int64_t value = integer<int64_t>(line, text, where);
-    if (value < 1 || value > 1 << 20) base::fail(where, "header line \"" + line + "\" is out of range");
+int side(F f) {
+    const int64_t value = count(f);
+    if (value < 1 || value > 1 << 20) fail(f, " is out of range");
     return int(value);
 }
 
-std::pair<int64_t, int64_t> range(const std::string& line, const std::string& text, const std::string& where) {
-    const size_t colon = text.find(':');
-    if (colon == std::string::npos) base::fail(where, "header line \"" + line + "\" is not RANGE=first:last");
-    const int64_t first = frame_number(line, text.substr(0, colon), where);
-    const int64_t last = frame_number(line, text.substr(colon + 1), where);
-    if (last < first) base::fail(where, "header line \"" + line + "\" ends before it begins");
-    return {first, last};
+void read_range(F f) {
+    const size_t colon = f.text.find(':');
+    if (colon == std::string::npos) fail(f, " is not RANGE=first:last");
+    const int64_t first = frame_number(f, f.text.substr(0, colon)), last = frame_number(f, f.text.substr(colon + 1));
+    if (last < first) fail(f, " ends before it begins");
+    Ranges& ranges = f.h.other_seeds.empty() ? f.h.ranges : f.h.other_seeds.back().second;
+    for (const auto& r : ranges)
+        if (r.first <= last && first <= r.second)
+            fail(f, fmt::format(": RANGE={}:{} before it holds such frames, too", r.first, r.second));
+    ranges.emplace_back(first, last);
 }
 
-Format format(const std::string& line, const std::string& text, const std::string& where) {
-    if (text == "32-bit_rle_rgbe") return Format::rgbe;
-    if (text == "32-bit_rle_xyze") return Format::xyze;
-    if (text == "float") return Format::flt;
-    base::fail(where, "header line \"" + line +
-                          "\": this pixel format is not read (32-bit_rle_rgbe, 32-bit_rle_xyze and float are)");
+void read_seed(F f) {
+    const auto seed = integer<uint64_t>(f, f.text);
+    bool known = f.h.seed == seed;
+    for (const auto& other : f.h.other_seeds) known = known || other.first == seed;
+    if (known) fail(f, " comes twice");
+    if (f.h.seed) f.h.other_seeds.push_back({seed, {}});
+    else f.h.seed = seed;
+}
+
+void read_format(F f) {
+    f.e.spectra = f.text == "Radiance_spectra";
+    if (f.e.spectra) return;
+    if (f.text == "32-bit_rle_rgbe") f.e.format = Format::rgbe;
+    else if (f.text == "32-bit_rle_xyze") f.e.format = Format::xyze;
+    else if (f.text == "float") f.e.format = Format::flt;
+    else fail(f, ": this pixel format is not read (32-bit_rle_rgbe, 32-bit_rle_xyze and float are)");
+}
+
+void read_primaries(F f) {
+    f.e.primaries = numbers<8>(f);
+    if (*f.e.primaries == Primaries{}) f.e.primaries.reset();
+    else if (!are_primaries(*f.e.primaries)) fail(f, " is not a set of chromaticities");
+}
+
+void read_edit(F f) {
+    const size_t end = f.text.find(' ');
+    f.h.edit = frame_number(f, f.text.substr(0, end));
+    if (end != std::string::npos) f.h.edited = f.text.substr(end + 1);
+}
+
+void read_grid(F f) {
+    const Grid grid = parse_grid(f.text, f.where);
+    if (grid.first != count_of(f.h.grids)) fail(f, fmt::format(": {} points are before it", count_of(f.h.grids)));
+    f.h.grids.push_back(grid);
 }
 
 // Would a reader take more from this line than history?
@@ -119,92 +145,59 @@ std::string one_line(std::string text) {
     return text;
 }
 
-void add_seed(uint64_t seed, const std::string& line, const std::string& where, Header& h) {
-    bool told = h.seed == seed;
-    for (const auto& other : h.other_seeds) told = told || other.first == seed;
-    if (told) base::fail(where, "header line \"" + line + "\" comes twice");
-    if (h.seed) h.other_seeds.push_back({seed, {}});
-    else h.seed = seed;
-}
+struct Key {
+    std::string_view key;
+    void (*read)(F);
+};
+constexpr Key keys[] = {
+    {"EXPOSURE=", [](F f) { multiply(f.h.exposure, numbers<1>(f)[0], f); }},
+    {"COLORCORR=",
+     [](F f) {
+         for (size_t c = 0; c < 3; ++c) multiply(f.e.colorcorr[c], numbers<3>(f)[c], f);
+     }},
+    {"PIXASPECT=", [](F f) { multiply(f.h.pixel_aspect, numbers<1>(f)[0], f); }},
+    {"PRIMARIES=", read_primaries},
+    {"FORMAT=", read_format},
+    {"NCOMP=", [](F f) { f.e.channels = side(f); }},
+    {"LAYERS=", [](F f) { f.e.moments_follow = f.text == "moments"; }},
+    {"LAYER=", [](F f) { f.e.moments = f.text == "moments"; }},
+    {"WAVELENGTH_SPLITS=", [](F f) { f.e.splits = numbers<4>(f), f.h.lines.push_back(f.line); }},
+    {"NROWS=", [](F f) { f.e.rows = side(f); }},
+    {"NCOLS=", [](F f) { f.e.columns = side(f); }},
+    {"BigEndian=", [](F f) { f.e.big_endian = integer<int>(f, f.text) != 0; }},
+    {"SEED=", read_seed},
+    {"RANGE=", read_range},
+    {"FRAME=", [](F f) { f.h.frame = frame_number(f, f.text); }},
+    {"FRAMES=", [](F f) { f.h.frames = count(f); }},
+    {"LASTFRAME=", [](F f) { f.h.last_frame = count(f); }},
+    {"FRAME0=", [](F f) { f.h.direct_frames = frame_number(f, f.text); }},
+    {"EDIT=", read_edit},
+    {"FINGERPRINT=", [](F f) { f.h.fingerprint = f.text; }},
+    {"VIEWNAME=", [](F f) { f.h.view_name = plain_name(f.text, f.where); }},
+    {"SKYNAME=", [](F f) { f.h.sky_name = plain_name(f.text, f.where); }},
+    {"SHARED_PATHS=", [](F f) { f.h.shared_paths = plain_name(f.text, f.where); }},
+    {"UNKNOWN=", [](F f) { f.h.unknown = one_line(f.text); }},
+    {"GRID=", read_grid},
+};
 
 }  // namespace
 
 void parse_header_line(const std::string& line, Header& h, Encoding& e, const std::string& where) {
     if (line.find('\t') != std::string::npos && line.find("EXPOSURE=") != std::string::npos) h.tabbed_exposure = true;
     if (line.compare(0, 2, "#?") == 0) return;
-    std::optional<std::string> t;
-    if (view::is_view_line(line)) {
-        view::View v = h.view.value_or(view::View());
-        const bool command = line.compare(0, 5, "VIEW=") != 0;  // whose words mean many things
-        std::string wrong;
-        if (view::parse_line(v, line, &wrong)) h.view = v;
-        if (command) h.lines.push_back(line);  // is history, too
-        else if (!wrong.empty()) base::fail(where, "header line \"" + line + "\": " + wrong);
-    } else if ((t = value_of(line, "EXPOSURE="))) {
-        multiply(h.exposure, numbers<1>(line, *t, where)[0], line, where);
-    } else if ((t = value_of(line, "COLORCORR="))) {
-        const auto c = numbers<3>(line, *t, where);
-        for (int i = 0; i < 3; ++i) multiply(e.colorcorr[i], c[i], line, where);
-    } else if ((t = value_of(line, "PIXASPECT="))) {
-        multiply(h.pixel_aspect, numbers<1>(line, *t, where)[0], line, where);
-    } else if ((t = value_of(line, "PRIMARIES="))) {
-        e.primaries = numbers<8>(line, *t, where);
-        if (*e.primaries == Primaries{}) e.primaries.reset();
-        else if (!are_primaries(*e.primaries))
-            base::fail(where, "header line \"" + line + "\" is not a set of chromaticities");
-    } else if ((t = value_of(line, "FORMAT="))) {
-        e.spectra = *t == "Radiance_spectra";
-        if (!e.spectra) e.format = format(line, *t, where);
-    } else if ((t = value_of(line, "NCOMP="))) {
-        e.channels = side(line, *t, where);
-    } else if ((t = value_of(line, "LAYERS="))) {
-        e.moments_follow = *t == "moments";
-    } else if ((t = value_of(line, "LAYER="))) {
-        e.moments = *t == "moments";
-    } else if ((t = value_of(line, "WAVELENGTH_SPLITS="))) {
-        e.splits = numbers<4>(line, *t, where);
-        h.lines.push_back(line);
-    } else if ((t = value_of(line, "NROWS="))) {
-        e.rows = side(line, *t, where);
-    } else if ((t = value_of(line, "NCOLS="))) {
-        e.columns = side(line, *t, where);
-    } else if ((t = value_of(line, "BigEndian="))) {
-        e.big_endian = integer<int>(line, *t, where) != 0;
-    } else if ((t = value_of(line, "SEED="))) {
-        add_seed(integer<uint64_t>(line, *t, where), line, where, h);
-    } else if ((t = value_of(line, "FRAME="))) {
-        h.frame = frame_number(line, *t, where);
-    } else if ((t = value_of(line, "FRAMES="))) {
-        h.frames = integer<int64_t>(line, *t, where);
-    } else if ((t = value_of(line, "LASTFRAME="))) {
-        h.last_frame = integer<int64_t>(line, *t, where);
-    } else if ((t = value_of(line, "FRAME0="))) {
-        h.direct_frames = frame_number(line, *t, where);
-    } else if ((t = value_of(line, "EDIT="))) {
-        const size_t end = t->find(' ');
-        h.edit = frame_number(line, t->substr(0, end), where);
-        if (end != std::string::npos) h.edited = t->substr(end + 1);
-    } else if ((t = value_of(line, "FINGERPRINT="))) {
-        h.fingerprint = *t;
-    } else if ((t = value_of(line, "VIEWNAME="))) {
-        h.view_name = plain_name(*t, where);
-    } else if ((t = value_of(line, "SKYNAME="))) {
-        h.sky_name = plain_name(*t, where);
-    } else if ((t = value_of(line, "SHARED_PATHS="))) {
-        h.shared_paths = plain_name(*t, where);
-    } else if ((t = value_of(line, "UNKNOWN="))) {
-        h.unknown = one_line(*t);
-    } else if ((t = value_of(line, "GRID="))) {
-        const Grid grid = parse_grid(*t, where);
-        if (grid.first != count_of(h.grids))
-            base::fail(where, fmt::format("header line \"{}\": {} points are before it", line, count_of(h.grids)));
-        h.grids.push_back(grid);
-    } else if ((t = value_of(line, "RANGE="))) {
-        Ranges& ranges = h.other_seeds.empty() ? h.ranges : h.other_seeds.back().second;
-        add_range(ranges, range(line, *t, where), line, where);
-    } else {
-        h.lines.push_back(line);
+    if (!view::is_view_line(line)) {
+        const auto key = std::find_if(std::begin(keys), std::end(keys),
+                                      [&](const Key& k) { return base::begins_with(line, k.key); });
+        if (key == std::end(keys)) h.lines.push_back(line);
+        else key->read({line, value_of(line, key->key.size()), where, h, e});
+        return;
     }
+    view::View v = h.view.value_or(view::View());
+    const bool command = line.compare(0, 5, "VIEW=") != 0;  // whose words mean many things
+    std::string wrong;
+    if (view::parse_line(v, line, &wrong)) h.view = v;
+    if (command) h.lines.push_back(line);  // is history, too
+    else if (!wrong.empty()) base::fail(where, "header line \"" + line + "\": " + wrong);
 }
 
 std::vector<std::string> header_lines(const Header& h) {
