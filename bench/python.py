@@ -15,11 +15,11 @@ from pathlib import Path
 
 TOP = Path(__file__).resolve().parents[1]
 BIN = Path(sys.argv[1]).resolve()
-PAIRS, SIZE, FRAMES = (int(word) for word in (sys.argv[2:] + ["5", "512", "64"][len(sys.argv) - 2:]))
+PAIRS, SIZE, FRAMES = (int(word) for word in (sys.argv[2:] + ["5", "512", "65"][len(sys.argv) - 2:]))
 SCENE = [str(TOP / "examples" / "scenes" / "office" / name)
          for name in ("view.vf", "materials.rad", "layout.rad", "sky_1400.rad")]
 
-PIPE = f"""ptrace -vf "$1" -x {SIZE} -y {SIZE} -seed 1 -frames {FRAMES + 1} "$2" "$3" "$4" | ptaccum -every x2/16 |
+PIPE = f"""ptrace -vf "$1" -x {SIZE} -y {SIZE} -seed 1 -frames {FRAMES} "$2" "$3" "$4" | ptaccum -every x2/16 |
     vcmetrics -format jsonl -ci 95 -metrics Ev,DGP,DGPf -max-frames {FRAMES} | tail -n 1 | cut -d , -f 3"""
 PYTHON = f"""
 import sys, luxpipe

@@ -37,6 +37,17 @@ def program(name: str) -> str:
     return found
 
 
+def until_or_frames(default: str) -> tuple[str, int | None]:
+    """Return LUXPIPE_UNTIL: an accuracy as "3%", or a number of frames, which counts as ptrace -frames does."""
+    until = os.environ.get("LUXPIPE_UNTIL") or default
+    for old in ("LUXPIPE_ERROR", "LUXPIPE_FRAMES"):  # of version 0.1; the second one did not count frame 0
+        value = os.environ.get(old)
+        if value:
+            until = f"{value}%" if old == "LUXPIPE_ERROR" else str(int(value) + 1)
+            print(f"luxpipe: warning: {old}={value}: is called LUXPIPE_UNTIL={until} now", file=sys.stderr)
+    return (until, None) if "%" in until else (default, int(until))
+
+
 def last_line(stderr: bytes, name: str, status: int) -> str:
     """Return the line of a failed program that says why: the last one of its name."""
     lines = stderr.decode(errors="replace").splitlines()

@@ -66,18 +66,18 @@ def evalglare(inp: str | bytes | Path, view: None | list[str] = None, detailed: 
 
 def rpict(view: Sequence[str], octree: Path | str, xres: None | int = None, yres: None | int = None,
           report: float = 0, report_file: None | Path = None, params: None | Sequence[str] = None, *,
-          frames: int = 64) -> bytes:
+          frames: int = 65) -> bytes:
     """Return a RADIANCE picture (RGBE) of an octree or scene file, by ``ptrace | ptaccum``.
 
     Arguments are those of pyradiance's rpict, and no -ab is -ab 0, as there.  Options that a path tracer does not need
     (-ad, -aa ...) are accepted.
-    frames: number of diffuse samples a pixel.
+    frames: as of ptrace -frames: frame 0 and, in each other one, a diffuse sample a pixel.
     """
     args = ["-ab", "0", *view, *(params or [])]
     for option, value in (("-t", report or None), ("-e", report_file), ("-x", xres), ("-y", yres)):
         if value is not None:
             args += [option, str(value)]
-    return chain([["ptrace", "-moments-", *args, "-frames", str(frames + 1), str(octree)], ["ptaccum", "-last"]])[0]
+    return chain([["ptrace", "-moments-", *args, "-frames", str(frames), str(octree)], ["ptaccum", "-last"]])[0]
 
 
 def rtrace(rays: bytes, octree: Path | str, header: bool = True, inform: str = "a", outform: str = "a",

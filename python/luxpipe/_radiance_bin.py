@@ -16,12 +16,12 @@ import sys
 from pathlib import Path
 from typing import Optional
 
-from ._programs import HERE, Error, program
+from ._programs import HERE, Error, program, until_or_frames
 
 NEEDED = ("cnt dctimestep gendaylit gendaymtx gensky getinfo oconv pcomb pcompos pcond pfilt pvalue ra_tiff ra_xyze "
           "rad rcalc rcontrib rfluxmtx rtrace vwrays xform").split()
 
-MOST_FRAMES = 1024  # of a picture whose error stays above what is asked
+MOST_FRAMES = 1025  # of a picture whose error stays above what is asked
 
 
 def find_radiance() -> Optional[Path]:
@@ -67,8 +67,8 @@ def link(name: Path, target: Path) -> None:
 def rpict() -> None:
     """Be rpict: the sum of frames of ptrace as an RGBE picture, to the standard output or -o; -ab is 0, as rpict's.
 
-    Frames end when the standard error of blocks of 8 x 8 pixels, which ptaccum estimates, is LUXPIPE_ERROR percent
-    (3, rms); LUXPIPE_FRAMES is a number of frames instead.
+    Frames end when the standard error of blocks of 8 x 8 pixels, which ptaccum estimates, is LUXPIPE_UNTIL (3%, rms),
+    which may be a number of frames instead.
     LUXPIPE_OPTIONS has further options of ptrace, which recipes would refuse: "-seed 2 -device cpu".
     """
     args = ["-ab", "0", *shlex.split(os.environ.get("LUXPIPE_OPTIONS", "")), *sys.argv[1:]]
@@ -79,11 +79,11 @@ def rpict() -> None:
         at = args.index("-o")
         output = open(args[at + 1], "wb")
         del args[at:at + 2]
-    frames = os.environ.get("LUXPIPE_FRAMES")
-    until = [] if frames else ["-until", os.environ.get("LUXPIPE_ERROR") or "3"]
-    trace = subprocess.Popen(["ptrace", "-moments-", "-frames", str(int(frames or MOST_FRAMES) + 1), *args],
+    until, frames = until_or_frames("3%")
+    rule = [] if frames else ["-until", until.rstrip("%")]
+    trace = subprocess.Popen(["ptrace", "-moments-", "-frames", str(frames or MOST_FRAMES), *args],
                              executable=program("ptrace"), stdout=subprocess.PIPE)  # RGBE pictures hold no moments
-    total = subprocess.run(["ptaccum", "-last", *until], executable=program("ptaccum"), stdin=trace.stdout,
+    total = subprocess.run(["ptaccum", "-last", *rule], executable=program("ptaccum"), stdin=trace.stdout,
                            stdout=output, stderr=subprocess.PIPE)
     assert trace.stdout
     trace.stdout.close()

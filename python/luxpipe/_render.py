@@ -134,7 +134,7 @@ def frames(scene: PathLike | Sequence[PathLike], view: PathLike | Sequence[str],
         >>> office = luxpipe.examples / "office"
         >>> scene = [office / "materials.rad", office / "layout.rad", office / "sky_1400.rad"]
         >>> [step.frames for step in luxpipe.frames(scene, office / "view.vf", size=32, max_frames=4)]
-        [0, 1, 2, 3, 4]
+        [0, 1, 2, 3]
     """
     width, height = (size, size) if isinstance(size, int) else size
     trace = [*view_options(view), "-x", str(width), "-y", str(height), "-seed", str(seed)]
@@ -143,7 +143,7 @@ def frames(scene: PathLike | Sequence[PathLike], view: PathLike | Sequence[str],
         if value is not None:
             measure += [option, str(value)]
     if max_frames is not None:
-        trace += ["-frames", str(max_frames + 1)]  # and frame 0
+        trace += ["-frames", str(max_frames)]
     pipeline = _Pipeline([*trace, *options, *_files(scene)], ["-every", every], measure)
     try:
         result = None
@@ -178,7 +178,7 @@ def render(scene: PathLike | Sequence[PathLike], view: PathLike | Sequence[str],
         ci: certainty of the intervals in percent
         regions: a file of regions (vcregion), for their TAL, mean ... and contrast
         every: after which frames to measure; "x2/16": 16 times while the number of frames doubles
-        max_frames: number of frames at which to stop in any case; None for no limit
+        max_frames: number of frames, frame 0 among them, at which to stop in any case; None for no limit
         max_seconds: time after which to stop in any case
         seed: of the random numbers; the same seed gives the same pixels
         options: further options of ptrace, as ["-ab", "7"]

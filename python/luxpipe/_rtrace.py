@@ -13,11 +13,11 @@ import warnings
 from array import array
 from typing import Sequence
 
-from ._programs import Error, chain, program
+from ._programs import Error, chain, program, until_or_frames
 from ._render import Warning
 
 UNTIL = "2%"  # of a point's value: half of its 95 % interval, for 95 of 100 points of each run
-MOST_FRAMES = 1024  # where points in deep shade would need more, a warning says so
+MOST_FRAMES = 1025  # frame 0 and whole blocks of 64; where points in deep shade would need more, a warning says so
 
 
 class Request:
@@ -112,7 +112,7 @@ def _values(rays: list[float], request: Request, until: str, frames: int | None)
     trace = ["-ab", "0", *shlex.split(os.environ.get("LUXPIPE_OPTIONS", "")), "-moments-",
              "-I+" if request.irradiance else "-I-", "-points", "-"]
     rule = ["-until", f"each {until}", "-max-frames", str(MOST_FRAMES)] if frames is None else []
-    count = [] if frames is None else ["-frames", str(frames + 1)]
+    count = [] if frames is None else ["-frames", str(frames)]
     with tempfile.TemporaryFile() as points:
         points.write("\n".join(line for line, lit in zip(lines, live) if lit).encode() + b"\n")
         points.seek(0)
@@ -151,17 +151,14 @@ def trace(words: Sequence[str], data: bytes, until: str = UNTIL, frames: int | N
 def main() -> None:
     """Be rtrace: rays from the standard input, values to the standard output.
 
-    LUXPIPE_UNTIL is the accuracy ("2%"), or LUXPIPE_FRAMES a number of frames; LUXPIPE_OPTIONS has further options of
-    ptrace.
+    LUXPIPE_UNTIL is the accuracy ("2%"), or a number of frames; LUXPIPE_OPTIONS has further options of ptrace.
     """
     words = sys.argv[1:]
     if any(word in ("-version", "-defaults", "-help") for word in words):
         os.execv(program("ptrace"), ["rtrace", *words])
     warnings.showwarning = lambda message, *_: print(message, file=sys.stderr)
-    frames = os.environ.get("LUXPIPE_FRAMES")
     try:
-        sys.stdout.buffer.write(trace(words, sys.stdin.buffer.read(), os.environ.get("LUXPIPE_UNTIL") or UNTIL,
-                                      int(frames) if frames else None))
+        sys.stdout.buffer.write(trace(words, sys.stdin.buffer.read(), *until_or_frames(UNTIL)))
     except Error as error:
         print(error, file=sys.stderr)
         sys.exit(error.status)

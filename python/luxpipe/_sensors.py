@@ -32,7 +32,7 @@ def sensors(scene: PathLike | Sequence[PathLike], points: PathLike | Sequence[Pa
         until: half widths of 95 % intervals at which to stop (vcmetrics -until): "each 2%" holds where 95 of 100 points
             of each grid are within 2 %; "desk.mean 1%, desk.share300 .02" are numbers of a grid
         ci: certainty of the intervals in percent
-        max_frames: number of frames at which to stop in any case
+        max_frames: number of frames, frame 0 among them, at which to stop in any case
         seed: of the random numbers; the same seed gives the same values
         options: further options of ptrace, as ["-ab", "7"]
 

@@ -154,7 +154,7 @@ class Study:
         self.measure(seed, ['-metrics', ','.join(self.columns)], self.file(self.table_of(seed, 'all')))
         for n in LOOKS:
             if n <= self.o.frames:
-                self.each(seed, self.table_of(seed, n), ['-max-frames', str(n)])
+                self.each(seed, self.table_of(seed, n), ['-max-frames', str(n + 1)])
         if self.o.cuts:
             self.measure_cuts(seed)
         said = self.each(seed, self.table_of(seed, 'each'), ['-until', self.rule])

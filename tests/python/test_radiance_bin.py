@@ -39,7 +39,7 @@ def test_ours_and_links(folder):
 
 def test_rpict_and_evalglare(folder):
     make(folder, "-radiance", str(folder.parent / "radiance" / "bin"))
-    bare = {"PATH": "/usr/bin:/bin", "LUXPIPE_FRAMES": "2"}  # what a program that knows nothing of luxpipe gives
+    bare = {"PATH": "/usr/bin:/bin", "LUXPIPE_UNTIL": "3"}  # what a program that knows nothing of luxpipe gives
     words = ["-t", "10", "-ab", "2", "-ad", "1000", "-aa", ".2", "-x", "32", "-y", "32", "-vf", str(VIEW)]
     rpict = [str(folder / "bin" / "rpict"), *words]
     piped = subprocess.run([*rpict, *map(str, SCENE)], env=bare, capture_output=True)
@@ -63,13 +63,15 @@ def test_rpict_takes_the_samples_that_its_error_asks_for(folder):
     rpict = [str(folder / "bin" / "rpict"), "-ab", "2", "-x", "64", "-y", "64", "-vf", str(VIEW), *map(str, SCENE)]
     count = {}
     for error in ("8", "4", "2"):
-        done = subprocess.run(rpict, env={"PATH": "/usr/bin:/bin", "LUXPIPE_ERROR": error}, capture_output=True)
+        done = subprocess.run(rpict, env={"PATH": "/usr/bin:/bin", "LUXPIPE_UNTIL": f"{error}%"}, capture_output=True)
         assert done.returncode == 0, done.stderr
         count[error] = frames_of(done.stdout)
     assert 1 < count["8"] < count["4"] < count["2"] < 300
     assert count["2"] > 2 * count["4"]  # errors fall with the root of the frames
-    fixed = subprocess.run(rpict, env={"PATH": "/usr/bin:/bin", "LUXPIPE_FRAMES": "3"}, capture_output=True)
-    assert frames_of(fixed.stdout) == 3
+    for name, value in (("LUXPIPE_UNTIL", "4"), ("LUXPIPE_FRAMES", "3")):  # the second is the older name
+        fixed = subprocess.run(rpict, env={"PATH": "/usr/bin:/bin", name: value}, capture_output=True)
+        assert frames_of(fixed.stdout) == 3
+        assert (b"LUXPIPE_FRAMES=3: is called LUXPIPE_UNTIL=4 now" in fixed.stderr) == (name == "LUXPIPE_FRAMES")
 
 
 def test_rpict_fails_as_rpict(folder):

@@ -72,7 +72,7 @@ def test_what_would_change_the_answer_is_refused(sky, words, rays, message):
 
 
 def test_the_function_is_the_program(sky, tmp_path, monkeypatch):
-    monkeypatch.setenv("LUXPIPE_FRAMES", "2")
+    monkeypatch.setenv("LUXPIPE_UNTIL", "2")
     done = rtrace(["-h", "-I", "-faa", "-n", "1", "-ab", "2", *map(str, SCENE)], RAYS)
     office = tmp_path / "office.rad"
     office.write_text("".join(f"!xform {path}\n" for path in SCENE))

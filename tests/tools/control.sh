@@ -30,7 +30,7 @@ check 'a sensor in the dark and one that sees the sky alone have no noise, and h
     [ "$(awk "\$1 == 16 && \$5 == \$6 && \$6 == \$7 { print \$3 }" t | tr "\n" " ")" = "sky dark up " ]
     [ "$(cut -f 1 t | sort -n | tail -1)" -lt 100 ]'
 check '-max-frames is of each picture, too' '
-    render -views all.vf | ptaccum | timeout 100 vcmetrics -control ctl -metrics Ev -max-frames 3 > t 2> said
+    render -views all.vf | ptaccum | timeout 100 vcmetrics -control ctl -metrics Ev -max-frames 4 > t 2> said
     is=$(cut -f 1,3 t | tr "\t\n" "_ ")
     [ "$is" = "frame_view 0_desk 1_desk 2_desk 3_desk 0_door 1_door 2_door 3_door 0_up 1_up 2_up 3_up " ]'
 printf '2 1 .8 0 0 1\n2 5 .8 0 0 1\n' > desk.pts
@@ -42,7 +42,7 @@ check 'skies of a grid of points end one by one, too, and each has its points' '
     points | timeout 100 vcmetrics -control ctl -metrics desk.mean -until "desk.mean 20%" > t 2> said
     [ "$(cut -f 3 t | uniq | tr "\n" " ")" = "sky sky_0900 sky_1400 " ]
     [ $(grep -c "^vcmetrics: sky_.*: stopped after [0-9]* frames: -until holds" said) = 2 ]
-    points | timeout 100 vcmetrics -control ctl -each -max-frames 3 > t
+    points | timeout 100 vcmetrics -control ctl -each -max-frames 4 > t
     [ "$(cut -f 1,3 t | tr "\t\n" "_ ")" = "sky_point sky_0900_0 sky_0900_1 sky_1400_0 sky_1400_1 " ]'
 check_exit 'and status 4 says that the rule did not hold for one of them' 4 '
     points -frames 5 | timeout 100 vcmetrics -control ctl -metrics desk.mean -until "desk.mean 20%" > t 2> said'

@@ -33,7 +33,7 @@ print("\n".join(done))'
     }
     check 'a pipe has one line of progress, which is neither in the table nor in a message' '
         on_terminal "ptrace -x 256 -y 256 -vta -vh 180 -vv 180 -vd 0 0 1 -vu 0 1 0 sky.rad | ptaccum |
-            vcmetrics -metrics Ev -max-frames 30" > t; grep -q "ptrace: frame" t
+            vcmetrics -metrics Ev -max-frames 31" > t; grep -q "ptrace: frame" t
         screen < typescript | sed "1d;/^$/d;/^Script/d" > s; grep -c "^ *[0-9]* *[0-9.]* *[0-9.]*$" s | grep -qx 31
         grep -v "^ *[0-9]* *[0-9.]* *[0-9.]*$" s > others; sed "s/ after.*//" others | tr "\n" " " > t
         grep -qE "^ *frame +seconds +Ev vcmetrics: stopped $" t'

@@ -95,6 +95,8 @@ check 'a rule of widths holds, and says so'      '
     $mkstream frames 0 100 64 64 2> /dev/null | ptaccum | vcmetrics -until "Ev 30%" 2>&1 > a |
         grep -q "stopped after 16 frames: Ev " && [ $(wc -l < a) -lt 80 ]'
 check_exit '-max-frames without a rule: status 0' 0 'ptaccum < frames.lux | vcmetrics -max-frames 5'
+check '-max-frames counts as ptrace -frames: N pictures, frame 0 among them' '
+    [ $(ptaccum < frames.lux | vcmetrics -max-frames 5 2> /dev/null | sed 1d | wc -l) = 5 ]'
 check_exit '-max-frames before the rule holds: status 4' 4 '
     ptaccum < frames.lux | vcmetrics -max-frames 5 -until "Ev 1%"'
 check_error 'the class is that of DGP'           1 'no column "DGP"' 'vcmetrics -metrics Ev -until class one.hdr'

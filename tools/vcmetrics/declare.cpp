@@ -74,7 +74,7 @@ void declare_comparison(OptionTable& t, Options& o) {
     t.group("When to stop, and comparing");
     t.add("-until rule", "Stop when the numbers are this certain, for instance 'DGP 0.01, Ev 1%, class'", o.until);
     t.add("-go-on", "A column, settled, says that the rule holds, and the run goes on", o.go_on);
-    t.add("-max-frames n", "Stop at this number of frames",
+    t.add("-max-frames n", "Stop at this number of frames, frame 0 among them, as ptrace -frames",
           [&](Arguments& a) { o.max_frames = a.integer(base::within(1, 1e15)); });
     t.add("-max-seconds s", "Stop after this many seconds", o.max_seconds).above(0);
     t.add("-control fifo", "End each picture of the stream by itself: \"next\" to this FIFO of ptrace", o.control);

@@ -110,7 +110,7 @@ std::pair<Progress, Verdict> decide(const Options& o, const Asked& asked, Progre
         reason = asked.reason;
     } else if (!p.done && !asked.out_of_reach.empty()) {
         reason = asked.out_of_reach;
-    } else if (o.max_frames && sum.frames >= *o.max_frames) {
+    } else if (o.max_frames && sum.frames + 1 >= *o.max_frames) {
         reason = "-max-frames is reached";
     } else if (o.max_seconds && sum.seconds >= *o.max_seconds) {
         reason = "-max-seconds is reached";
