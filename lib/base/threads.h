@@ -3,6 +3,7 @@
 #pragma once
 #include <cstddef>
 #include <functional>
+#include "base/processors.h"
 
 namespace base {
 
@@ -14,6 +15,12 @@ void on_threads(unsigned count, const std::function<void()>& body);
 // Calls body(first, end) for shares of 0 .. count - 1, each `share` long but the last, on up to `threads` threads.  No
 // share begins after an exception, which is rethrown.
 void in_shares(size_t count, size_t share, unsigned threads, const std::function<void(size_t, size_t)>& body);
+
+// Calls body(i) for each i = 0 .. count - 1, on all processors.
+template <class F>
+void on_all(size_t count, F&& body) {
+    in_shares(count, 1, processors(), [&](size_t i, size_t) { body(i); });
+}
 
 // Number of threads, of `count` with the caller's, that the system can start: for libraries that fail if they get
 // fewer than they asked for.

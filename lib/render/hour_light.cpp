@@ -17,10 +17,19 @@ void add_scaled(float* to, const float* from, float by, size_t n) {
     for (size_t i = 0; i < n; i++) to[i] += by * from[i];
 }
 
-std::vector<float> values_of_hour(const HourValues& block, size_t hours, size_t hour) {
-    std::vector<float> out(block.size() / hours);
-    for (size_t i = 0; i < out.size(); i++) out[i] = block[i * hours + hour];
+HourValues hour_by_hour(const HourValues& block, size_t hours) {
+    constexpr size_t line = 16;  // values of a cache line
+    const size_t n = block.size() / hours;
+    HourValues out(block.size());
+    for (size_t first = 0; first < n; first += line)
+        for (size_t h = 0; h < hours; h++)
+            for (size_t i = first; i < std::min(n, first + line); i++) out[h * n + i] = block[i * hours + h];
     return out;
+}
+
+std::vector<float> values_of_hour(const HourValues& by_hour, size_t hours, size_t hour) {
+    const auto n = long(by_hour.size() / hours);
+    return {by_hour.begin() + long(hour) * n, by_hour.begin() + long(hour + 1) * n};
 }
 
 HourLight::HourLight(const std::vector<HourSky>& hours, size_t first, size_t count,

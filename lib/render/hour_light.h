@@ -12,8 +12,10 @@ using HourValues = std::vector<float>;
 
 // Adds by * from to n values.
 void add_scaled(float* to, const float* from, float by, size_t n);
-// One hour of a block.
-std::vector<float> values_of_hour(const HourValues& block, size_t hours, size_t hour);
+// The same values hour by hour: one hour after another.
+HourValues hour_by_hour(const HourValues& block, size_t hours);
+// One hour of these.
+std::vector<float> values_of_hour(const HourValues& by_hour, size_t hours, size_t hour);
 
 class HourLight {
 public:
@@ -23,6 +25,7 @@ public:
               bool drawn);
     size_t hours() const { return sky_.size(); }
     const HourSky& hour(size_t i) const { return first_[i]; }
+    bool drawn() const { return drawn_; }
     // Adds the light of a path: its own, or that of its suffix vertex, to 3 rows of hours.
     void add_own(const PathFactors& f, size_t path, float* to) const;
     void add_suffix(const PathFactors& f, size_t path, float* to) const;

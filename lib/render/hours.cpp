@@ -3,19 +3,16 @@
 #include "render/hours.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <map>
 
 #include "base/angle.h"
 #include "base/hash.h"
-#include "base/processors.h"
 #include "base/shutdown.h"
 #include "base/threads.h"
 #include "render/hour_light.h"
+#include "render/hour_moments.h"
 #include "render/hour_suns.h"
 #include "render/learn.h"
-#include "render/pixel_moments.h"
 
 namespace render {
 using namespace kernels;
@@ -25,7 +22,6 @@ namespace {
 constexpr uint64_t most_bytes = uint64_t(9) << 26;  // .6 GB of factors: with pictures and tables less than 1 GB
 constexpr uint32_t samples_of_sun = 8;              // of each pixel in frame 0
 constexpr uint32_t most_samples_of_points = 4;      // in a frame: all hours are told by each
-constexpr uint32_t fewer_places = 4;                // than an hour by itself: they are most of the time
 constexpr size_t paths_at_once = 1u << 16;
 
 // Hours together, so that the pictures of all their frames fit.
@@ -79,12 +75,15 @@ public:
     bool give_block(size_t first, size_t count, const GiveHourFrame& give) const {
         const HourLight by(hours_, first, count, hour_of_sun_, draws_suns(plan_));
         const DirectValues direct = light_zero(by);
+        const DirectValues by_hour{hour_by_hour(direct.mean, count), hour_by_hour(direct.half_off, count),
+                                   hour_by_hour(direct.spread, count)};
         std::vector<FrameZero> zeros;
-        for (size_t h = 0; h < count; h++) zeros.push_back(zero_of(direct, count, first, h));
+        for (size_t h = 0; h < count; h++) zeros.push_back(zero_of(by_hour, count, first, h));
         std::vector<image::Moments> moments(count);
-        if (wanted_.first == 0 && wanted_.moments && plan_.points_room == 0) moments = moments_of_block(by, zeros);
+        if (wanted_.first == 0 && wanted_.moments && plan_.points_room == 0)
+            moments = moments_of_hours(device_, sampling_, by, zeros);
         std::vector<HourValues> frames(frames_.size());
-        on_all(frames.size(), [&](size_t i) { frames[i] = frame_of(i, direct, by); });
+        base::on_all(frames.size(), [&](size_t i) { frames[i] = hour_by_hour(frame_of(i, direct, by), count); });
         for (size_t h = 0; h < count; h++) {
             if (wanted_.first == 0 && !give(first + h, 0, values_of(zeros[h]), moments[h])) return false;
             for (size_t i = 0; i < frames.size(); i++)
@@ -100,14 +99,6 @@ private:
         if (wanted_.tell) wanted_.tell(doing, share);
     }
     int64_t first_diffuse() const { return std::max<int64_t>(1, wanted_.first); }
-    template <class F>
-    static void on_all(size_t n, F&& work) {
-        std::atomic<size_t> next{0};
-        base::on_threads(unsigned(std::min<size_t>(base::processors(), n)), [&] {
-            for (size_t i; (i = next.fetch_add(1)) < n;) work(i);
-        });
-    }
-
     bool fits(uint64_t bytes) {
         complete_ = bytes <= most_bytes || hours_.size() <= most_hours_together;
         return complete_;
@@ -135,7 +126,7 @@ private:
     DirectValues light_zero(const HourLight& by) const {
         DirectValues all;
         std::vector<DirectValues> parts(zero_.size());
-        on_all(parts.size(), [&](size_t i) {
+        base::on_all(parts.size(), [&](size_t i) {
             parts[i] = light_direct(zero_[i], zero_at_[i], by, sampling_.params.suns_step_eye, turn_);
         });
         const auto add = [](HourValues& to, const HourValues& from) { to.insert(to.end(), from.begin(), from.end()); };
@@ -153,79 +144,6 @@ private:
         for (size_t sun = 0; sun < suns_.size(); sun++)
             if (hour_of_sun_[sun] == first + h) add_drawn_suns(suns_[sun], float(hours_[first + h].sun_radiance), zero);
         return zero;
-    }
-
-    // Pairs of samples at places in pixels (pixel_moments.h), of all hours of a block.
-    std::vector<image::Moments> moments_of_block(const HourLight& by, const std::vector<FrameZero>& zeros) const {
-        const int nx = int(sampling_.params.nx), ny = int(sampling_.params.ny);
-        const size_t n = by.hours(), row = 3 * n;
-        std::vector<std::vector<uint32_t>> places;
-        std::vector<uint32_t> most(pixels_, 0);
-        for (const FrameZero& zero : zeros) {
-            places.push_back(places_of_pixels(zero, nx, ny, fewer_places));
-            for (size_t i = 0; i < pixels_; i++) most[i] = std::max(most[i], places.back()[i]);
-        }
-        // of each pixel and place, 3 rows; a pixel asks the suns of the hours that have places in it
-        std::vector<HourValues> a(pixels_), b(pixels_);
-        for (const bool second : {false, true}) {
-            std::map<uint32_t, std::vector<uint32_t>> alike;
-            for (uint32_t i = 0; i < pixels_; i++)
-                if (most[i] > 0) alike[most[i]].push_back(i);
-            for (const auto& [k, pixels] : alike)
-                for (size_t from = 0; from < pixels.size(); from += paths_at_once / k) {
-                    const std::vector<uint32_t> some(
-                        pixels.begin() + long(from),
-                        pixels.begin() + long(std::min(pixels.size(), from + paths_at_once / k)));
-                    draw_places(some, k, second, by, places, second ? b : a);
-                }
-        }
-        std::vector<image::Moments> out(n);
-        on_all(n, [&](size_t h) {
-            out[h] = moments_of(zeros[h], nx, ny, places[h], [&](const std::vector<uint32_t>& pixels, uint32_t k) {
-                Pairs pairs;
-                for (const uint32_t pixel : pixels)
-                    for (size_t i = 0; i < 3 * size_t(k); i++) {
-                        pairs.a.push_back(a[pixel][(i / 3) * row + i % 3 * n + h]);
-                        pairs.b.push_back(b[pixel][(i / 3) * row + i % 3 * n + h]);
-                    }
-                return pairs;
-            });
-        });
-        return out;
-    }
-
-    void draw_places(const std::vector<uint32_t>& pixels, uint32_t k, bool second, const HourLight& by,
-                     const std::vector<std::vector<uint32_t>>& places, std::vector<HourValues>& out) const {
-        const size_t row = 3 * by.hours();
-        device::Params par = params_of_places(sampling_, pixels, k, second ? 1 : 0);
-        ViewTables tables = *par.view_tables;
-        std::vector<HourSky> of_block;
-        for (size_t h = 0; h < by.hours(); h++) of_block.push_back(by.hour(h));
-        std::vector<uint32_t> hour_of_sun;
-        tables.suns = suns_of(of_block, hour_of_sun);
-        for (FocusEntry& entry : tables.focus) {
-            entry.suns_at = uint32_t(tables.asked.size());
-            for (uint32_t sun = 0; sun < hour_of_sun.size(); sun++)
-                if (places[hour_of_sun[sun]][entry.pixel] > 0) tables.asked.push_back(sun);
-            entry.suns = uint32_t(tables.asked.size()) - entry.suns_at;
-        }
-        par = device::with_view(par, std::move(tables));
-        par.suns_step_eye = 1;
-        par.flags |= PF_ASKS;
-        par.first = 0;
-        par.path_count = uint32_t(pixels.size()) * k;
-        const PathFactors f = draw_factors(device_, par, k);
-        const HourLight light(of_block, 0, of_block.size(), hour_of_sun, draws_suns(plan_));
-        on_all(pixels.size(), [&](size_t i) {
-            HourValues& values = out[pixels[i]];
-            values.assign(k * row, 0.0f);
-            for (size_t place = 0; place < k; place++) {
-                const size_t path = i * k + place;
-                for (size_t c = 0; c < 3; c++)
-                    std::fill_n(&values[place * row + c * by.hours()], by.hours(), f.rest[3 * path + c]);
-                light.add_own(f, path, &values[place * row]);
-            }
-        });
     }
 
     // Frame k of Eq. 7, as frame_of() of progressive.cpp.

@@ -49,19 +49,19 @@ struct Covariance {
 };
 
 // Statistics of n pairs.  Divided by n, because the places are points of a net, whose mean has almost no error.
-Covariance covariance(const float* a, const float* b, uint32_t n) {
+Covariance covariance(const double* a, const double* b, uint32_t n) {
     double sum_a = 0, sum_b = 0, products = 0, noise = 0;
     for (uint32_t k = 0; k < n; k++) {
-        const double x = grey(a + 3 * k), y = grey(b + 3 * k);
+        const double x = a[k], y = b[k];
         sum_a += x, sum_b += y, products += x * y, noise += (x - y) * (x - y) / 2;
     }
     return {products / n - sum_a / n * (sum_b / n), noise / n, (sum_a + sum_b) / (2 * n)};
 }
 
 // Variance of the light over places, and half the difference of the variances of both halves of them.
-void estimate(const float* a, const float* b, uint32_t n, float* moments) {
+void estimate(const double* a, const double* b, uint32_t n, float* moments) {
     const Covariance all = covariance(a, b, n), first = covariance(a, b, n / 2),
-                     second = covariance(a + 3 * (n / 2), b + 3 * (n / 2), n / 2);
+                     second = covariance(a + n / 2, b + n / 2, n / 2);
     const double least = std::max(clear * all.within / std::sqrt(double(n)), rounding * all.mean * all.mean);
     if (!(all.between > least)) return;
     moments[image::moment_variance] = float(all.between);
@@ -81,11 +81,11 @@ Glint glint_of(double sum, double squares, double n) {
 }
 
 // In frame 0's own samples of a pixel and the n pairs.
-Glint glint_in(const FrameZero& zero, size_t pixel, const float* a, const float* b, uint32_t n) {
+Glint glint_in(const FrameZero& zero, size_t pixel, const double* a, const double* b, uint32_t n) {
     const double mean = grey(&zero.mean[3 * pixel]), own = zero.samples;
     double sum = own * mean, squares = own * (double(zero.spread[pixel]) + mean * mean);
     for (uint32_t k = 0; k < n; k++)
-        for (const double y : {grey(a + 3 * k), grey(b + 3 * k)}) sum += y, squares += y * y;
+        for (const double y : {a[k], b[k]}) sum += y, squares += y * y;
     return glint_of(sum, squares, own + 2 * n);
 }
 
@@ -154,7 +154,7 @@ image::Moments moments_of(const FrameZero& zero, int nx, int ny, const std::vect
                                              pixels.begin() + long(std::min(pixels.size(), first + step)));
             const Pairs of = pairs_of(some, n);
             for (size_t k = 0; k < some.size(); k++) {
-                const float *a = &of.a[3 * n * k], *b = &of.b[3 * n * k];
+                const double *a = &of.a[n * k], *b = &of.b[n * k];
                 estimate(a, b, n, &out[image::moment_numbers * some[k]]);
                 glints[some[k]] = glint_in(zero, some[k], a, b, n);
             }
@@ -166,12 +166,20 @@ image::Moments moments_of(const FrameZero& zero, int nx, int ny, const std::vect
     return std::make_shared<const std::vector<float>>(std::move(out));
 }
 
+namespace {
+std::vector<double> greys(const std::vector<float>& rgb) {
+    std::vector<double> out;
+    for (size_t i = 0; i < rgb.size(); i += 3) out.push_back(grey(&rgb[i]));
+    return out;
+}
+}  // namespace
+
 image::Moments pixel_moments(device::Device& device, const ViewPlan& plan, const FrameZero& zero) {
     const auto nx = int(plan.sampling.params.nx), ny = int(plan.sampling.params.ny);
     return moments_of(zero, nx, ny, places_of_pixels(zero, nx, ny),
                       [&](const std::vector<uint32_t>& pixels, uint32_t n) {
-                          return Pairs{run_places(device, plan.sampling, pixels, n, 0),
-                                       run_places(device, plan.sampling, pixels, n, 1)};
+                          return Pairs{greys(run_places(device, plan.sampling, pixels, n, 0)),
+                                       greys(run_places(device, plan.sampling, pixels, n, 1))};
                       });
 }
 

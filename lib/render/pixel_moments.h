@@ -17,9 +17,9 @@ namespace render {
 // those of small pictures, where samples cost little.
 // fewer: so many times.
 std::vector<uint32_t> places_of_pixels(const FrameZero& zero, int nx, int ny, uint32_t fewer = 1);
-// Samples of n places of each of some pixels, consecutive, 3 floats each: both of a place.
+// Samples of n places of each of some pixels, consecutive: both of a place, grey.
 struct Pairs {
-    std::vector<float> a, b;
+    std::vector<double> a, b;
 };
 using PairsOf = std::function<Pairs(const std::vector<uint32_t>& pixels, uint32_t n)>;
 image::Moments moments_of(const FrameZero& zero, int nx, int ny, const std::vector<uint32_t>& places,
