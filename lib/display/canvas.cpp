@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/markup.h"
 #include "display/draw.h"
 #include "display/file.h"
 #include "image/stream.h"
@@ -13,12 +14,6 @@ namespace display {
 namespace {
 
 constexpr Colour black{0, 0, 0};
-
-std::string escaped(const std::string& text) {
-    std::string out;
-    for (const char c : text) out += c == '<' ? "&lt;" : c == '&' ? "&amp;" : std::string(1, c);
-    return out;
-}
 
 // Lines at 45 degrees, every fourth pixel of the picture, so that they go on in the next rectangle.
 void hatch(Image8& image, const Rectangle& r) {
@@ -38,7 +33,7 @@ std::string spots_text(const Canvas& c) {
     for (const Spot& spot : c.spots) {
         text += "<path d=\"";
         for (const Rectangle& r : spot.parts) text += path_of(r);
-        text += "\"><title>" + escaped(spot.text) + "</title></path>\n";
+        text += "\"><title>" + base::escaped(spot.text) + "</title></path>\n";
     }
     text += "</g>\n";
     for (const int x : c.spots_again) text += fmt::format("<use href=\"#points\" x=\"{}\"/>\n", x);
@@ -64,8 +59,8 @@ std::string svg_text(const Canvas& c) {
         text += "\"/>\n";
     }
     text += "<path fill=\"url(#h)\" d=\"" + hatched + "\"/>\n<g font-family=\"sans-serif\" font-size=\"12\">\n";
-    for (const Words& w : c.words)
-        text += fmt::format("<text x=\"{}\" y=\"{}\">{}</text>\n", w.x, w.y + 10, escaped(w.text));
+    for (const CanvasText& w : c.words)
+        text += fmt::format("<text x=\"{}\" y=\"{}\">{}</text>\n", w.x, w.y + 10, base::escaped(w.text));
     return text + "</g>\n" + spots_text(c) + "</svg>\n";
 }
 
@@ -78,7 +73,7 @@ std::string png_of(const Canvas& c, const std::string& comment) {
             fill(image, r.x, r.y, r.x + r.width, r.y + r.height, colour);
             if (r.hatched) hatch(image, r);
         }
-    for (const Words& w : c.words) draw_text(image, w.x, w.y + 2, w.text, 1, black);
+    for (const CanvasText& w : c.words) draw_text(image, w.x, w.y + 2, w.text, 1, black);
     return png_bytes(image, comment);
 }
 

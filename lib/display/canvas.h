@@ -13,7 +13,7 @@ struct Rectangle {
     int x, y, width, height;
     bool hatched = false;
 };
-struct Words {
+struct CanvasText {
     int x, y;  // top left, of letters 10 high
     std::string text;
 };
@@ -27,7 +27,7 @@ struct Spot {
 struct Canvas {
     int width = 0, height = 0;
     std::vector<std::pair<Colour, std::vector<Rectangle>>> layers;  // later ones cover earlier ones
-    std::vector<Words> words;
+    std::vector<CanvasText> words;
     std::vector<Spot> spots;
     std::vector<int> spots_again;                      // and this far to the right
     std::vector<Rectangle>& of(const Colour& colour);  // a layer, made where there is none

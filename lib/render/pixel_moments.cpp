@@ -16,11 +16,11 @@ using image::grey;
 namespace {
 constexpr double least_deviation = 20 / image::lumens_per_watt;  // in grey: 20 cd/m2, darker than any glare source
 constexpr double least_share = .05;                              // of the mean: below it f is above .9975
-constexpr double clear = 3;                                      // standard errors of a significant covariance
+constexpr double significance = 3;                               // standard errors of a significant covariance
 constexpr double rounding = 1e-6;                                // of the squared mean
-constexpr double sunny = 5e5 / image::lumens_per_watt;           // in grey: no lamp is so bright
-constexpr double few = 16;                                       // hits that decide little
-constexpr double much = 1. / 16384;                              // of the picture's squared light
+constexpr double sun_radiance = 5e5 / image::lumens_per_watt;    // in grey: no lamp is so bright
+constexpr double few_hits = 16;                                  // hits that decide little
+constexpr double glare_share = 1. / 16384;                       // of the picture's squared light
 constexpr size_t samples_at_once = 1u << 18;                     // pairs
 
 // Places in a pixel that decides glare, of a picture of so many pixels: where they are few, a pixel holds much of the
@@ -38,7 +38,7 @@ std::vector<bool> glaring_pixels(const FrameZero& zero) {
     for (size_t i = 0; i < zero.spread.size(); i++)
         squares += std::pow(grey(&zero.mean[3 * i]), 2) + double(zero.spread[i]);
     std::vector<bool> out;
-    for (const float v : zero.spread) out.push_back(double(v) > much * squares);
+    for (const float v : zero.spread) out.push_back(double(v) > glare_share * squares);
     return out;
 }
 
@@ -62,7 +62,7 @@ Covariance covariance(const double* a, const double* b, uint32_t n) {
 void estimate(const double* a, const double* b, uint32_t n, float* moments) {
     const Covariance all = covariance(a, b, n), first = covariance(a, b, n / 2),
                      second = covariance(a + n / 2, b + n / 2, n / 2);
-    const double least = std::max(clear * all.within / std::sqrt(double(n)), rounding * all.mean * all.mean);
+    const double least = std::max(significance * all.within / std::sqrt(double(n)), rounding * all.mean * all.mean);
     if (!(all.between > least)) return;
     moments[image::moment_variance] = float(all.between);
     moments[image::moment_difference] = float((first.between - second.between) / 2);
@@ -71,7 +71,7 @@ void estimate(const double* a, const double* b, uint32_t n, float* moments) {
 // The sun is in few of the samples of a pixel (a curved surface mirrors it): k of them, each of luminance L, of n.
 struct Glint {
     double k = 0, L = 0, n = 0;
-    bool undecided() const { return L > sunny && k < few; }
+    bool undecided() const { return L > sun_radiance && k < few_hits; }
 };
 
 // From the sum and the sum of squares of n samples: the mean weighted by light, and how many of that are in the sum.

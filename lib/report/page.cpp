@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "base/markup.h"
 #include "base/angle.h"
 #include "glare/columns.h"
 #include "report/page_figures.h"
@@ -16,14 +17,16 @@
 
 namespace report {
 
+using base::escaped;
+
 namespace {
 
 constexpr size_t most_sources = 12;
 
-struct Words {
+struct MetricName {
     const char *name, *words, *unit;
 };
-constexpr Words of_metrics[] = {
+constexpr MetricName of_metrics[] = {
     {"Ev", "Illuminance at the eye", "lx"},
     {"DGPf", "Daylight glare probability", ""},
     {"DGP", "Daylight glare probability, by whole pixels", ""},
@@ -42,7 +45,7 @@ constexpr Words of_metrics[] = {
     {"RAMMG", "Contrast of neighbouring pixels, over all sizes of detail", "cd/m²"},
     {"n_sources", "Glare sources", ""},
 };
-constexpr Words of_regions[] = {
+constexpr MetricName of_regions[] = {
     {"TAL", "Mean luminance of ", "cd/m²"},
     {"mean", "Mean luminance of ", "cd/m²"},
     {"median", "Median luminance of ", "cd/m²"},
@@ -51,7 +54,7 @@ constexpr Words of_regions[] = {
     {"share", "Share of the view: ", ""},
     {"CR", "Contrast ratio (above 0.25 reflections are intolerable): ", ""},
 };
-constexpr Words of_grids[] = {
+constexpr MetricName of_grids[] = {
     {"mean", "Mean illuminance of ", "lx"},         {"min", "Least illuminance of ", "lx"},
     {"max", "Largest illuminance of ", "lx"},       {"median", "Median illuminance of ", "lx"},
     {"U0", "Uniformity (least over mean) of ", ""}, {"df", "Daylight factor of ", "%"},
@@ -59,10 +62,10 @@ constexpr Words of_grids[] = {
 
 // What a column is, and its unit.
 std::pair<std::string, std::string> words_of(const std::string& column) {
-    for (const Words& w : of_metrics)
+    for (const MetricName& w : of_metrics)
         if (column == w.name) return {w.words, w.unit};
     const size_t dot = column.rfind('.');
-    for (const Words& w : of_regions)
+    for (const MetricName& w : of_regions)
         if (dot != std::string::npos && column.substr(dot + 1) == w.name)
             return {w.words + column.substr(0, dot), w.unit};
     return {column, ""};
@@ -119,7 +122,7 @@ std::string date_of(const Page& page) {
 std::pair<std::string, std::string> words_of_grid(const std::string& column) {
     const size_t dot = column.rfind('.');
     const std::string grid = column.substr(0, dot), what = column.substr(dot + 1);
-    for (const Words& w : of_grids)
+    for (const MetricName& w : of_grids)
         if (what == w.name) return {w.words + grid, w.unit};
     if (what.rfind("share", 0) == 0)
         return {"Share of the points of " + grid + " at " + what.substr(5) + " lx or more", ""};

@@ -7,25 +7,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/printable.h"
+#include "base/markup.h"
 #include "glare/columns.h"
 
 namespace report {
 
-namespace {
+using base::escaped;
 
-std::string base64(const std::string& bytes) {
-    static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string out;
-    out.reserve(bytes.size() * 4 / 3 + 4);
-    for (size_t k = 0; k < bytes.size(); k += 3) {
-        uint32_t three = 0;
-        for (size_t i = 0; i < 3; ++i)
-            three = three << 8 | (k + i < bytes.size() ? static_cast<unsigned char>(bytes[k + i]) : 0);
-        for (size_t i = 0; i < 4; ++i) out += k + i <= bytes.size() ? digits[three >> (18 - 6 * i) & 63] : '=';
-    }
-    return out;
-}
+namespace {
 
 std::string path_of(const Page::Outline& outline) {
     std::string out;
@@ -67,7 +56,7 @@ std::string drawing(const Page& page, const Page::Drawing& d) {
         "<figure><svg viewBox=\"0 0 {0} {1}\" role=\"img\" aria-label=\"{2}\" "
         "style=\"font-size:{3:.2f}px;stroke-width:{4:.2f}\"><image width=\"{0}\" height=\"{1}\" "
         "href=\"data:image/png;base64,{5}\"/>\n",
-        page.width, page.height, escaped(d.caption), size, .11 * size, base64(d.png));
+        page.width, page.height, escaped(d.caption), size, .11 * size, base::base64(d.png));
     const auto kind = [](const Page::Outline& o) { return o.is_source ? "source" : "region"; };
     for (const Page::Outline& o : page.outlines)
         out += fmt::format("<path class=\"{}\" d=\"{}\"/>\n", kind(o), path_of(o));
@@ -76,19 +65,6 @@ std::string drawing(const Page& page, const Page::Drawing& d) {
         out += fmt::format("<text class=\"{}\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", kind(page.outlines[k]),
                            places[k][0], places[k][1], escaped(page.outlines[k].name));
     return out + "</svg><figcaption>" + escaped(d.caption) + "</figcaption></figure>\n";
-}
-
-std::string escaped(const std::string& text) {
-    std::string out;
-    for (const char c : base::printable(text)) {
-        if (c == '&') out += "&amp;";
-        else if (c == '<') out += "&lt;";
-        else if (c == '>') out += "&gt;";
-        else if (c == '"') out += "&quot;";
-        else if (c == '\'') out += "&#39;";
-        else out += c;
-    }
-    return out;
 }
 
 // DGP from .2 to .6 as a bar with its classes, the interval and the value.
@@ -127,7 +103,7 @@ std::string plan_maps(const std::string& svg) {
     const size_t words = svg.find("<g id=\"points\""), end = svg.rfind("</svg>");
     return "<img class=\"plan\" alt=\"Illuminance at the points, with a line at the limit, and half of the intervals\" "
            "src=\"data:image/svg+xml;base64," +
-           base64(words < end ? svg.substr(0, words) + svg.substr(end) : svg) + "\">\n";
+           base::base64(words < end ? svg.substr(0, words) + svg.substr(end) : svg) + "\">\n";
 }
 
 }  // namespace report

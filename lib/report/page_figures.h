@@ -6,8 +6,6 @@
 
 namespace report {
 
-std::string escaped(const std::string& text);  // as text of HTML
-
 std::string dgp_bar(const Page::Number& dgp);
 std::string drawing(const Page& page, const Page::Drawing& drawing);
 std::string legend(const Page::Legend& legend);

@@ -26,26 +26,26 @@ std::string what_it_lacks(const image::Picture& p) {
     return "";
 }
 
-void tell(Sum& sum, const std::string& place, const std::string& fact) {
-    if (!std::exchange(sum.told, true)) base::warn(place, "no intervals: " + fact);
+void report_lack(Sum& sum, const std::string& place, const std::string& fact) {
+    if (!std::exchange(sum.reported, true)) base::warn(place, "no intervals: " + fact);
 }
 
 Sum another(const Sum& before) {
     Sum out;
-    out.told = before.told, out.warned = before.warned;
+    out.reported = before.reported, out.warned = before.warned;
     return out;
 }
 
 }  // namespace
 
-Sum add(Sum sum, const image::Picture& picture, const glare::Reading& reading, const std::string& place, bool tells,
+Sum add(Sum sum, const image::Picture& picture, const glare::Reading& reading, const std::string& place, bool reports,
         bool passes) {
     const bool has_parts = !picture.parts.empty();
     const std::string lack = what_it_lacks(picture);
     const int64_t n = picture.header.frames.value_or(0), before = sum.last;
     sum.step = lack.empty(), sum.looked = false;
     if (!sum.step) {
-        if (tells) tell(sum, place, lack);
+        if (reports) report_lack(sum, place, lack);
         return sum;
     }
     if (has_parts || n == 0 || n <= before) sum = another(sum);
@@ -86,8 +86,8 @@ Sum without_look(Sum sum) {
     return sum;
 }
 
-Sum end_input(Sum sum, const std::string& place, bool tells) {
-    if (tells && sum.step && sum.parts().size() == 1) tell(sum, place, no_batches);
+Sum end_input(Sum sum, const std::string& place, bool reports) {
+    if (reports && sum.step && sum.parts().size() == 1) report_lack(sum, place, no_batches);
     return another(sum);
 }
 

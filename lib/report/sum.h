@@ -23,14 +23,14 @@ struct Sum {
     bool again = false;               // a look is due beside those
     bool looked = false;              // `look` is of the last picture
     Look look;
-    bool told = false, warned = false;  // in this run: no intervals, large steps
+    bool reported = false, warned = false;  // in this run: no intervals, large steps
 
     const std::vector<image::Part>& parts() const { return taken.empty() ? growing.parts() : taken; }
 };
 
-// With a picture that was read.  tells: why it is no step of a sum.  passes: there is no look at it, but at a later
+// With a picture that was read.  reports: why it is no step of a sum.  passes: there is no look at it, but at a later
 // one.
-Sum add(Sum sum, const image::Picture& picture, const glare::Reading& reading, const std::string& place, bool tells,
+Sum add(Sum sum, const image::Picture& picture, const glare::Reading& reading, const std::string& place, bool reports,
         bool passes = false);
 // With a look at that picture, where one is due; those before `first_look` frames are left out.
 Sum look(Sum sum, const glare::Reading& reading, const glare::Measurement& measurement,
@@ -38,6 +38,6 @@ Sum look(Sum sum, const glare::Reading& reading, const glare::Measurement& measu
 // The columns are others from here on: a look is due.
 Sum without_look(Sum sum);
 // After the last picture of a file: another sum begins.
-Sum end_input(Sum sum, const std::string& place, bool tells);
+Sum end_input(Sum sum, const std::string& place, bool reports);
 
 }  // namespace report

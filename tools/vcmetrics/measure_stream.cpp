@@ -155,7 +155,7 @@ int measure_all(const Options& o) {
             }
             if (base::shutdown_requested()) return end(0);
         }
-        run.sum = end_input(std::move(run.sum), place_of(file, 0).text, run.plan.needs_looks && run.plan.tells);
+        run.sum = end_input(std::move(run.sum), place_of(file, 0).text, run.plan.needs_looks && run.plan.reports);
     }
     say_end(o, grids.columns.empty() ? run.progress : grids.progress);
     if (!grids.columns.empty()) return end_of(o, grids);

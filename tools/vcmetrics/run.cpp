@@ -117,7 +117,7 @@ std::pair<RunState, std::optional<Row>> step(const Options& o, RunState run, ima
     const RunPlan& plan = run.plan;
     run.reading = read(plan.measured, p, place.text, o.view, std::move(run.reading));
     const bool passes = o.last && is_followed(p.header, frame_number(p.header, place));
-    if (plan.needs_looks) run.sum = add(std::move(run.sum), p, run.reading, place.text, plan.tells, passes);
+    if (plan.needs_looks) run.sum = add(std::move(run.sum), p, run.reading, place.text, plan.reports, passes);
     if (passes) return {std::move(run), std::nullopt};
     Measurement m = measure(run.reading);
     if (plan.needs_looks) {
@@ -133,7 +133,7 @@ std::pair<RunState, std::optional<Row>> step(const Options& o, RunState run, ima
     const Luminance& lum = run.reading.lum;
     const MeasuredSum sum{row.frame, row.seconds, run.sum.looked ? &run.sum.look : nullptr, bool(lum.moments),
                           lum.width, lum.height,  p.header.last_frame == row.frame};
-    std::tie(run.progress, row.verdict) = decide(o, ask(plan.rule, sum), std::move(run.progress), sum);
+    std::tie(run.progress, row.verdict) = decide(o, rule_state(plan.rule, sum), std::move(run.progress), sum);
     row.settled = run.progress.held;
     return {std::move(run), std::move(row)};
 }

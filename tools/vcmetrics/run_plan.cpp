@@ -99,13 +99,13 @@ void choose_columns(const Options& o, const std::vector<std::string>& regions, R
 
     plan.keys.clear();
     bool shown = o.ci || !o.against.empty();
-    plan.tells = shown || !o.until.empty();
+    plan.reports = shown || !o.until.empty();
     for (const Column& c : plan.columns) {
         const bool of_region = c.name.find('.') != std::string::npos && !c.of_filled;
         const bool by_reading = of_region || !o.settings.task_region.empty();
         plan.keys.push_back(by_reading ? fmt::format("{} {}", c.name, plan.reading) : c.name);
         shown |= c.printed && c.printed_unbiased;
-        plan.tells |= c.printed_unbiased && !c.of_filled;
+        plan.reports |= c.printed_unbiased && !c.of_filled;
     }
     plan.needs_looks = shown || !o.until.empty();
     plan.first_look = shown ? 0 : uncertainty::least_frames;

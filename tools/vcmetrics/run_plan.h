@@ -15,8 +15,8 @@ struct RunPlan {
     std::vector<std::string> keys;  // of columns: what can be compared from edit to edit has the same one
     StopRule rule;
     std::vector<glare::ContrastPair> pairs;
-    bool needs_looks = false, tells = false;  // intervals are shown or serve a rule; why there are none
-    int64_t first_look = 0;                   // frames
+    bool needs_looks = false, reports = false;  // intervals are shown or serve a rule; why there are none
+    int64_t first_look = 0;                     // frames
 
     base::FileStamp version;  // of the region file
     int reading = 0;          // counts those that gave a plan

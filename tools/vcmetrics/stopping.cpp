@@ -51,7 +51,7 @@ size_t column_of(const Options& o, const std::vector<Column>& columns, const std
 
 }  // namespace
 
-Asked ask(const StopRule& rule, const MeasuredSum& sum) {
+RuleState rule_state(const StopRule& rule, const MeasuredSum& sum) {
     if (!sum.moments && !rule.of_filled.empty())
         return {false, "", "there is no " + rule.of_filled + " without moments of pixels, which the pictures lack"};
     if (!rule.rule || !sum.looked || sum.frames < uncertainty::least_frames) return {};
@@ -64,8 +64,8 @@ Asked ask(const StopRule& rule, const MeasuredSum& sum) {
     for (size_t k : rule.watched) estimates.push_back(estimate(k));
     for (const auto& k : rule.pixels) pixels.of_tolerances.push_back(of_pixels(k));
     const uncertainty::Estimate dgp = estimate(rule.dgp);
-    Asked out{rule.rule->holds(estimates, dgp, pixels), "",
-              rule.rule->out_of_reach(estimates, dgp, pixels, sum.width, sum.height)};
+    RuleState out{rule.rule->holds(estimates, dgp, pixels), "",
+                  rule.rule->out_of_reach(estimates, dgp, pixels, sum.width, sum.height)};
     if (out.holds) out.reason = rule.rule->reason(estimates, dgp, pixels);
     return out;
 }
@@ -101,24 +101,24 @@ Progress begin(const Options& o, Progress p, const std::string& label, int64_t n
     return p;
 }
 
-std::pair<Progress, Verdict> decide(const Options& o, const Asked& asked, Progress p, const MeasuredSum& sum) {
+std::pair<Progress, Verdict> decide(const Options& o, const RuleState& state, Progress p, const MeasuredSum& sum) {
     std::string reason;
     bool ends_all = o.control.empty();
     p.frames = sum.frames;
-    if (!p.done && asked.holds) {
+    if (!p.done && state.holds) {
         p.held = true;
-        reason = asked.reason;
-    } else if (!p.done && !asked.out_of_reach.empty()) {
-        reason = asked.out_of_reach;
+        reason = state.reason;
+    } else if (!p.done && !state.out_of_reach.empty()) {
+        reason = state.out_of_reach;
     } else if (o.max_frames && sum.frames + 1 >= *o.max_frames) {
         reason = "-max-frames is reached";
     } else if (o.max_seconds && sum.seconds >= *o.max_seconds) {
         reason = "-max-seconds is reached";
         ends_all = true;
     } else return {p, {}};
-    const bool of_rule = !p.done && (p.held || !asked.out_of_reach.empty());
+    const bool of_rule = !p.done && (p.held || !state.out_of_reach.empty());
     if (of_rule && o.go_on) ends_all = false;
-    else if (!p.held && !o.until.empty() && asked.out_of_reach.empty()) reason += ", -until does not hold yet";
+    else if (!p.held && !o.until.empty() && state.out_of_reach.empty()) reason += ", -until does not hold yet";
 
     const std::string what = p.label.empty() ? "" : p.label + ": ";
     const char* const how = ends_all || !o.go_on ? "stopped" : p.held ? "settled" : "cannot settle";

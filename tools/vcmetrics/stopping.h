@@ -42,17 +42,17 @@ struct MeasuredSum {
     bool last = false;  // its stream announces no more frames
 };
 // What -until comes to at a sum: why it holds, or why it never will.
-struct Asked {
+struct RuleState {
     bool holds = false;
     std::string reason, out_of_reach;
 };
-Asked ask(const StopRule& rule, const MeasuredSum& sum);
+RuleState rule_state(const StopRule& rule, const MeasuredSum& sum);
 
 struct Verdict {
     bool stops = false;         // the run ends with this row
     std::string says, command;  // why, and what the renderer is sent, after the row; empty: nothing
 };
-std::pair<Progress, Verdict> decide(const Options& options, const Asked& asked, Progress progress,
+std::pair<Progress, Verdict> decide(const Options& options, const RuleState& state, Progress progress,
                                     const MeasuredSum& sum);
 
 void say_end(const Options& options, const Progress& progress);  // of the input or a picture, without a stop
