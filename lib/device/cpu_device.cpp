@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/processors.h"
+#include "base/shutdown.h"
 #include "base/threads.h"
 #include "device/cpu_kernels.h"
 #include "device/layout.h"
@@ -19,7 +20,8 @@ namespace {
 // Paths of one tile: their state (kernels/integrator/state.h, 220 bytes each) stays in the second-level cache; that of
 // path reuse, 384 bytes more, is touched only after their ends.
 constexpr uint32_t TILE = 4096;
-static_assert(TILE % REUSE_SQUARE == 0, "groups lie in one tile");
+constexpr uint32_t HOURS_TILE = 1024;  // of many hours, whose paths take long: it ends soon after a signal
+static_assert(TILE % REUSE_SQUARE == 0 && HOURS_TILE % REUSE_SQUARE == 0, "groups lie in one tile");
 
 // A build of the kernels by its name in -device cpu:NAME.
 struct Variant {
@@ -75,7 +77,7 @@ public:
     void run(const Params& par, std::vector<float>& rgb) override {
         rgb.resize(size_t(kernels::film_places(&par)) * 3);
         const kernels::SceneTables tables = tables_of(*scene_, par);
-        tiles(par.path_count, [&](uint32_t first, uint32_t count, char* scratch) {
+        tiles(par.path_count, TILE, [&](uint32_t first, uint32_t count, char* scratch) {
             float* film = par.reuse_path_count != 0 ? rgb.data() : &rgb[size_t(first) * 3];
             kernels_.run(tables, par, par.first + first, count, scratch, film);
         });
@@ -85,7 +87,8 @@ public:
         out.rest.resize(size_t(kernels::film_places(&par)) * 3);
         const kernels::SceneTables tables = tables_of(*scene_, par);
         std::vector<HourPaths> parts((par.path_count + REUSE_SQUARE - 1) / REUSE_SQUARE);
-        tiles(par.path_count, [&](uint32_t first, uint32_t count, char* scratch) {
+        tiles(par.path_count, HOURS_TILE, [&](uint32_t first, uint32_t count, char* scratch) {
+            if (base::shutdown_requested()) throw Cancelled{};
             float* film = par.reuse_path_count != 0 ? out.rest.data() : &out.rest[size_t(first) * 3];
             kernels_.run_hours(tables, par, par.first + first, count, scratch, film, parts[first / REUSE_SQUARE]);
         });
@@ -94,14 +97,14 @@ public:
     void splat(const Params& par, const std::vector<SplatRay>& rays, std::vector<float>& rgb) override {
         rgb.resize(rays.size() * 3);
         const kernels::SceneTables tables = tables_of(*scene_, par);
-        tiles(uint32_t(rays.size()), [&](uint32_t first, uint32_t count, char* scratch) {
+        tiles(uint32_t(rays.size()), TILE, [&](uint32_t first, uint32_t count, char* scratch) {
             kernels_.splat(tables, par, rays.data(), first, count, scratch, rgb.data());
         });
     }
     void pilot(const Params& par, const std::vector<PilotRay>& rays, std::vector<PilotEnd>& ends) override {
         ends.resize(rays.size());
         const kernels::SceneTables tables = tables_of(*scene_, par);
-        tiles(uint32_t(rays.size()), [&](uint32_t first, uint32_t count, char* scratch) {
+        tiles(uint32_t(rays.size()), TILE, [&](uint32_t first, uint32_t count, char* scratch) {
             kernels_.pilot(tables, par, rays.data(), first, count, scratch, ends.data());
         });
     }
@@ -109,13 +112,13 @@ public:
 
 private:
     // Smaller tiles for few paths, so that no thread idles.
-    uint32_t tile_of(uint32_t count) const {
+    uint32_t tile_of(uint32_t count, uint32_t most) const {
         const uint32_t each = count / (2 * threads_) / REUSE_SQUARE * REUSE_SQUARE;
-        return std::clamp(each, REUSE_SQUARE, TILE);
+        return std::clamp(each, REUSE_SQUARE, most);
     }
     template <class F>
-    void tiles(uint32_t count, F&& work) {
-        const uint32_t tile = tile_of(count);
+    void tiles(uint32_t count, uint32_t most, F&& work) {
+        const uint32_t tile = tile_of(count, most);
         std::atomic<uint32_t> next{0};
         base::on_threads(std::min(threads_, (count + tile - 1) / tile), [&] {
             const std::unique_ptr<char[]> scratch(new char[kernels_.scratch_bytes(tile)]);

@@ -39,7 +39,7 @@ public:
     // Runs par.path_count paths; rgb gets 3 floats for each path or, with path reuse, for each sample of the picture's
     // pixels.
     virtual void run(const Params& par, std::vector<float>& rgb) = 0;
-    // The same of paths for many hours (PF_HOURS).
+    // The same of paths for many hours (PF_HOURS), which take long: a signal ends it with Cancelled.
     virtual void run_hours(const Params&, HourPaths&) {
         base::fail_system("-device " + name(), "renders hours one by one alone: -hours-apart");
     }

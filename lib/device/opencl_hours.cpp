@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "base/shutdown.h"
+#include "device/device.h"
 #include "device/wavefront.h"
 
 namespace device {
@@ -29,6 +31,7 @@ void run_part(OpenclPaths& paths, const kernels::Params& part, HourPaths& out) {
     paths.reserve(part);
     paths.generate();
     while (paths.has_paths()) {
+        if (base::shutdown_requested()) throw Cancelled{};
         paths.extend();
         find_suns(paths, part.suns_count, found);
         paths.shade();

@@ -83,7 +83,10 @@ public:
         if (wanted_.first == 0 && wanted_.moments && plan_.points_room == 0)
             moments = moments_of_hours(device_, sampling_, by, zeros);
         std::vector<HourValues> frames(frames_.size());
-        base::on_all(frames.size(), [&](size_t i) { frames[i] = hour_by_hour(frame_of(i, direct, by), count); });
+        base::on_all(frames.size(), [&](size_t i) {
+            end_on_signal();
+            frames[i] = hour_by_hour(frame_of(i, direct, by), count);
+        });
         for (size_t h = 0; h < count; h++) {
             if (wanted_.first == 0 && !give(first + h, 0, values_of(zeros[h]), moments[h])) return false;
             for (size_t i = 0; i < frames.size(); i++)
@@ -95,10 +98,12 @@ public:
 
 private:
     void tell(const char* doing, double share) const {
-        if (base::shutdown_requested()) throw device::Cancelled{};
         if (wanted_.tell) wanted_.tell(doing, share);
     }
     int64_t first_diffuse() const { return std::max<int64_t>(1, wanted_.first); }
+    static void end_on_signal() {
+        if (base::shutdown_requested()) throw device::Cancelled{};
+    }
     bool fits(uint64_t bytes) {
         complete_ = bytes <= most_bytes || hours_.size() <= most_hours_together;
         return complete_;
@@ -127,6 +132,7 @@ private:
         DirectValues all;
         std::vector<DirectValues> parts(zero_.size());
         base::on_all(parts.size(), [&](size_t i) {
+            end_on_signal();
             parts[i] = light_direct(zero_[i], zero_at_[i], by, sampling_.params.suns_step_eye, turn_);
         });
         const auto add = [](HourValues& to, const HourValues& from) { to.insert(to.end(), from.begin(), from.end()); };

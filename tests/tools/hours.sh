@@ -65,9 +65,6 @@ check 'hours together have the light of hours apart' '
         ptaccum -every x2/8 | vcmetrics -metrics Ev -ci 95 -last | awk "END { print \$3, (\$5 - \$4) / 4 }"; }
     { ev; ev -hours-apart; } | awk "{ e[NR] = \$1; s[NR] = \$2 }
         END { exit !((e[1] - e[2]) ^ 2 < 16 * (s[1] ^ 2 + s[2] ^ 2)) }"'
-check 'a signal ends them while their paths are traced, with nothing written' '
-    timeout -s INT 1 ptrace -vf $office/view.vf -x 256 -y 256 -frames 900 -wea y.wea -hours 1221_1230 $scene \
-        > cut.str 2> said & sleep 30 & wait -n && exit 1; kill $!; [ ! -s cut.str ]'
 check 'and the same bits one path at a time' '
     render -device cpu:baseline -wea y.wea -hours 1221_1230 2> said | ptaccum -last -o plain_%s.exr
     [ "$(mkstream differ plain_1221_1230.exr 1221_1230.exr)" = 0 ]'

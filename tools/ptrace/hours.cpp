@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include "base/progress.h"
+#include "base/run.h"
 #include "base/shutdown.h"
 #include "film/accumulate.h"
 #include "frames.h"
@@ -44,6 +45,7 @@ void render_hours(Options opt, size_t i, const render::Session& session, Report&
     wanted.last = opt.last;
     wanted.moments = opt.moments;
     wanted.tell = [&](const std::string& doing, double share) {
+        if (opt.output.empty() && base::stdout_is_closed()) throw base::ClosedPipe{};  // the first hour may be far
         if (progress.due())
             progress.show(fmt::format("{} hours together: {}, {:.0f} %", hours.size(), doing, 100 * share));
     };
