@@ -55,6 +55,15 @@ std::string with_error(double value, double half_width) {
     return rounded(value, half_width) + " +- " + rounded(half_width, half_width);
 }
 
+void add(Line& line, const std::string& name, const Cell& cell) {
+    line.names.push_back(name);
+    line.cells.push_back(cell);
+}
+
+void add_bounds(Line& line, const std::string& name, double value, double low, double high) {
+    add(line, name, value), add(line, name + ".lo", low), add(line, name + ".hi", high);
+}
+
 std::string header_line(const std::vector<std::string>& names, TableFormat format) {
     if (format == TableFormat::jsonl) return "";
     std::string out;
@@ -68,18 +77,18 @@ std::string header_line(const std::vector<std::string>& names, TableFormat forma
     return out + "\n";
 }
 
-std::string table_line(const std::vector<std::string>& names, const std::vector<Cell>& cells, TableFormat format) {
+std::string table_line(const Line& line, TableFormat format) {
     std::string out;
-    for (size_t k = 0; k < cells.size(); ++k) {
-        const Cell& c = cells[k];
+    for (size_t k = 0; k < line.cells.size(); ++k) {
+        const Cell& c = line.cells[k];
         if (format == TableFormat::jsonl) {
             const bool finite = c.text.find_first_of("ni") == std::string::npos;
-            out += (k ? ", " : "{") + base::quoted_json(names[k]) + ": " +
+            out += (k ? ", " : "{") + base::quoted_json(line.names[k]) + ": " +
                    (!c.number ? base::quoted_json(c.text)
                     : finite  ? c.text
                               : "null");
         } else if (format == TableFormat::aligned) {
-            out += (k ? "  " : "") + aligned(plain_tsv(c.text), names[k].size(), c.number);
+            out += (k ? "  " : "") + aligned(plain_tsv(c.text), line.names[k].size(), c.number);
         } else if (format == TableFormat::csv) {
             out += (k ? "," : "") + (c.number ? c.text : quoted_csv(c.text));
         } else {
@@ -87,6 +96,12 @@ std::string table_line(const std::vector<std::string>& names, const std::vector<
         }
     }
     return out + (format == TableFormat::jsonl ? "}\n" : "\n");
+}
+
+std::string table(const std::vector<Line>& lines, TableFormat format) {
+    std::string out = lines.empty() ? "" : header_line(lines[0].names, format);
+    for (const Line& line : lines) out += table_line(line, format);
+    return out;
 }
 
 }  // namespace report

@@ -24,8 +24,18 @@ std::string rounded(double value, double half_width);
 // "2806 +- 17": as many digits as half an interval leaves meaning, two of its own.  nan: four digits alone.
 std::string with_error(double value, double half_width);
 
+// Each cell with the name of its column.
+struct Line {
+    std::vector<std::string> names;
+    std::vector<Cell> cells;
+};
+void add(Line& line, const std::string& name, const Cell& cell);
+inline void add(Line& line, const std::string& name, double value) { add(line, name, number_cell(value)); }
+void add_bounds(Line& line, const std::string& name, double value, double low, double high);  // NAME, NAME.lo, NAME.hi
+
 std::string header_line(const std::vector<std::string>& names,
                         TableFormat format);  // empty for JSON; else with newline
-std::string table_line(const std::vector<std::string>& names, const std::vector<Cell>& cells, TableFormat format);
+std::string table_line(const Line& line, TableFormat format);
+std::string table(const std::vector<Line>& lines, TableFormat format);  // all have the names of the first one
 
 }  // namespace report

@@ -45,18 +45,13 @@ std::string five_lines(const View& view, const Verdict& v, const std::string& co
     return text;
 }
 
-void add_names(const std::vector<std::string>& numbers, std::vector<std::string>& names) {
-    for (const std::string& name : numbers)
-        for (const char* end : {"", ".lo", ".hi"}) names.push_back(name + end);
+void add(report::Line& line, const std::string& name, const Between& b) {
+    report::add_bounds(line, name, b.value, b.low, b.high);
 }
 
-void add_cells(const std::vector<Between>& numbers, std::vector<report::Cell>& row) {
-    for (const Between& b : numbers)
-        for (const double x : {b.value, b.low, b.high}) row.push_back(report::number_cell(x));
-}
-
-void add_useful_cells(const Useful& u, std::vector<report::Cell>& row) {
-    add_cells({u[below], u[supplementary], u[autonomous], u[exceeded]}, row);
+void add_useful(report::Line& line, const Useful& u) {
+    add(line, "UDI_below", u[below]), add(line, "UDI_supplementary", u[supplementary]);
+    add(line, "UDI_autonomous", u[autonomous]), add(line, "UDI_exceeded", u[exceeded]);
 }
 
 }  // namespace
@@ -74,21 +69,17 @@ std::string shades_line(const Between& closed, double limit) {
     return fmt::format("shades    closed in {} hours: DGP above {:.2f}\n", count_text(closed), limit);
 }
 
-std::vector<std::string> column_names() {
-    std::vector<std::string> names{"view", "hours", "dark", "undecided"};
-    add_names({"above_0.35", "above_0.40", "above_0.45", "DGPe5", "GA"}, names);
-    names.insert(names.end(), {"class", "class.best", "class.worst"});
-    return names;
-}
-
-std::vector<report::Cell> cells(const Verdict& v) {
-    std::vector<report::Cell> row{report::text_cell(v.view.empty() ? "-" : v.view)};
-    for (const size_t n : {v.hours, v.dark, v.undecided}) row.push_back(report::number_cell(double(n)));
-    add_cells({v.above[0], v.above[1], v.above[2], v.exceeded, v.autonomy}, row);
-    row.push_back(report::text_cell(v.best == v.worst ? class_name(v.best) : "undecided"));
-    row.push_back(report::text_cell(class_name(v.best)));
-    row.push_back(report::text_cell(class_name(v.worst)));
-    return row;
+report::Line line_of(const Verdict& v) {
+    report::Line line;
+    report::add(line, "view", report::text_cell(v.view.empty() ? "-" : v.view));
+    report::add(line, "hours", double(v.hours)), report::add(line, "dark", double(v.dark));
+    report::add(line, "undecided", double(v.undecided));
+    add(line, "above_0.35", v.above[0]), add(line, "above_0.40", v.above[1]), add(line, "above_0.45", v.above[2]);
+    add(line, "DGPe5", v.exceeded), add(line, "GA", v.autonomy);
+    report::add(line, "class", report::text_cell(v.best == v.worst ? class_name(v.best) : "undecided"));
+    report::add(line, "class.best", report::text_cell(class_name(v.best)));
+    report::add(line, "class.worst", report::text_cell(class_name(v.worst)));
+    return line;
 }
 
 std::string worst_lines(const std::vector<View>& views, size_t n, const std::string& command) {
@@ -116,34 +107,24 @@ std::string summary(const GridYear& y, const Goals& g) {
     return text;
 }
 
-std::vector<std::string> grid_column_names() {
-    std::vector<std::string> names{"grid", "sensors", "hours", "dark"};
-    add_names({"DA", "sDA", "UDI_below", "UDI_supplementary", "UDI_autonomous", "UDI_exceeded", "ASE"}, names);
-    return names;
+report::Line line_of(const GridYear& y) {
+    report::Line line;
+    report::add(line, "grid", report::text_cell(y.name)), report::add(line, "sensors", double(y.sensors.size()));
+    report::add(line, "hours", double(y.hours)), report::add(line, "dark", double(y.dark));
+    add(line, "DA", y.autonomy), add(line, "sDA", y.spatial);
+    add_useful(line, y.useful);
+    add(line, "ASE", y.sun_hours ? y.exposed : unknown);
+    return line;
 }
 
-std::vector<report::Cell> cells(const GridYear& y) {
-    std::vector<report::Cell> row{report::text_cell(y.name)};
-    for (const size_t n : {y.sensors.size(), y.hours, y.dark}) row.push_back(report::number_cell(double(n)));
-    add_cells({y.autonomy, y.spatial}, row);
-    add_useful_cells(y.useful, row);
-    add_cells({y.sun_hours ? y.exposed : unknown}, row);
-    return row;
-}
-
-std::vector<std::string> sensor_column_names() {
-    std::vector<std::string> names{"grid", "point"};
-    add_names({"DA", "UDI_below", "UDI_supplementary", "UDI_autonomous", "UDI_exceeded", "sun_hours"}, names);
-    return names;
-}
-
-std::vector<report::Cell> cells(const GridYear& y, size_t k) {
-    const SensorYear& s = y.sensors[k];
-    std::vector<report::Cell> row{report::text_cell(y.name), report::number_cell(double(k))};
-    add_cells({s.autonomy}, row);
-    add_useful_cells(s.useful, row);
-    add_cells({y.sun_hours ? s.sun_hours : unknown}, row);
-    return row;
+report::Line line_of(const GridYear& y, size_t sensor) {
+    const SensorYear& s = y.sensors[sensor];
+    report::Line line;
+    report::add(line, "grid", report::text_cell(y.name)), report::add(line, "point", double(sensor));
+    add(line, "DA", s.autonomy);
+    add_useful(line, s.useful);
+    add(line, "sun_hours", y.sun_hours ? s.sun_hours : unknown);
+    return line;
 }
 
 }  // namespace year

@@ -16,17 +16,13 @@ std::string summary(const std::vector<View>& views, const std::vector<Verdict>& 
 // In how many hours shades are closed.
 std::string shades_line(const Between& closed, double limit);
 
-std::vector<std::string> column_names();
-std::vector<report::Cell> cells(const Verdict& verdict);
+report::Line line_of(const Verdict& verdict);
 
 // A line for each: DGP, the view, the command that shows it.
 std::string worst_lines(const std::vector<View>& views, size_t n, const std::string& command);
 
 std::string summary(const GridYear& year, const Goals& goals);
-std::vector<std::string> grid_column_names();
-std::vector<report::Cell> cells(const GridYear& year);
-// The columns and rows of single sensors.
-std::vector<std::string> sensor_column_names();
-std::vector<report::Cell> cells(const GridYear& year, size_t sensor);
+report::Line line_of(const GridYear& year);
+report::Line line_of(const GridYear& year, size_t sensor);
 
 }  // namespace year

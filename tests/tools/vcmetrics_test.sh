@@ -289,6 +289,8 @@ check 'of one picture a side the names may differ' '
         vcmetrics -metrics Ev,DGP new.hdr > two && compare r1 two'
 
 # Glare sources drawn
+check 'without a source there are the names of its columns alone' '
+    vcmetrics -b 1e9 -sources office256.hdr > none; vcmetrics -sources office256.hdr | head -n 1 | cmp - none'
 check 'outlines are added to the sources, and change nothing else' '
     vcmetrics -sources -format jsonl sunpeak.hdr > one
     vcmetrics -sources -outlines -format jsonl sunpeak.hdr > two; [ -s one ]; ! grep -v "\"outline\": \[\[" two

@@ -148,10 +148,7 @@ int difference_inputs(const Options& o) {
     const std::vector<Tolerance> rules = rules_of(o.tolerances.value_or("default"));
     const auto [a, b] = both_sides(o);
     require_known(rules, a.table);
-    std::vector<std::string> names = {"row", "metric", "first", "second", "difference"};
-    if (o.tolerances) names.insert(names.end(), {"tolerance", "within"});
-    else names.insert(names.end(), {"lo", "hi", "apart", "se", "df"});
-    std::string text = header_line(names, o.format);
+    std::vector<Line> lines;
     const std::vector<size_t> partner = pair_rows(a.table, b.table);
     bool all_within = true;
     for (size_t row = 0; row < partner.size(); ++row) {
@@ -160,23 +157,25 @@ int difference_inputs(const Options& o) {
         for (size_t k = 0; k < d.size(); ++k) {
             if (k < a.columns.size() && a.columns[k].words) continue;
             const double first = a.table.rows[row][k], second = b.table.rows[partner[row]][k];
-            std::vector<Cell> cells = {text_cell(label.empty() ? std::to_string(row + 1) : label),
-                                       text_cell(a.table.names[k])};
-            for (double v : {first, second, d[k].value}) cells.push_back(number_cell(v));
+            Line line;
+            add(line, "row", text_cell(label.empty() ? std::to_string(row + 1) : label));
+            add(line, "metric", text_cell(a.table.names[k]));
+            add(line, "first", first), add(line, "second", second), add(line, "difference", d[k].value);
             if (o.tolerances) {
                 const Tolerance t = tolerance_for(a.table.names[k], rules);
                 const bool is_within = within(t, first, second);
-                cells.insert(cells.end(), {text_cell(t.text()), text_cell(is_within ? "yes" : "no")});
+                add(line, "tolerance", text_cell(t.text())), add(line, "within", text_cell(is_within ? "yes" : "no"));
                 all_within = all_within && is_within;
             } else {
                 const uncertainty::Interval off = d[k].around(1 - o.ci.value_or(.95), d[k].frames);
                 const double low = d[k].value + off.low, high = d[k].value + off.high;
-                for (double v : {low, high, told_apart(low, high), d[k].error_known_after(d[k].frames), d[k].degrees})
-                    cells.push_back(number_cell(v));
+                add(line, "lo", low), add(line, "hi", high), add(line, "apart", told_apart(low, high));
+                add(line, "se", d[k].error_known_after(d[k].frames)), add(line, "df", d[k].degrees);
             }
-            text += table_line(names, cells, o.format);
+            lines.push_back(std::move(line));
         }
     }
+    const std::string text = table(lines, o.format);
     base::write_stdout(text.data(), text.size());
     return all_within ? 0 : 5;
 }

@@ -46,28 +46,7 @@ void refuse_options_of_views(const Options& o) {
         if (given) base::fail(name, "works on pictures of a view, not on pictures of points");
 }
 
-std::vector<std::string> names_of_grids(const Options& o, const image::Header& h,
-                                        const std::vector<GridColumn>& columns) {
-    std::vector<std::string> names = {"frame", "seconds"};
-    if (!h.sky_name.empty()) names.push_back("sky");
-    if (h.edit) names.push_back("edit");
-    for (const GridColumn& c : columns) {
-        names.push_back(c.name);
-        if (o.ci) names.push_back(c.name + ".lo"), names.push_back(c.name + ".hi");
-    }
-    return names;
-}
-
-std::vector<std::string> names_of_points(bool by_number, bool skies, bool paths) {
-    std::vector<std::string> names = {"grid", "x", "y", "z", "dx", "dy", "dz", "E", "lo", "hi"};
-    if (by_number) names = {"grid", "point", "E", "lo", "hi"};
-    names.push_back(errors_column);
-    if (paths) names.push_back(paths_column);
-    if (skies) names.insert(names.begin(), "sky");
-    return names;
-}
-
-std::string errors_cell(const uncertainty::NoisyValues& v, size_t i, bool halves) {
+std::string grid_errors(const uncertainty::NoisyValues& v, size_t i, bool halves) {
     std::string cell;
     if (v.degrees > 0)
         add_error("E", {v.error[i], v.degrees, halves ? point_halves(v, i) : uncertainty::Halves{}}, cell);
@@ -87,8 +66,6 @@ GridState begin(const Options& o, const image::Header& h, Progress progress) {
         for (const Tolerance& t : parse_tolerances(o.until, "-until"))
             for (const GridColumn& c : grid_columns({t.metric}, h.grids, "-until"))
                 s.rule.push_back(t), s.of_rule.push_back(c);
-    s.names = o.each ? names_of_points(s.points.empty(), !h.sky_name.empty(), !h.shared_paths.empty())
-                     : names_of_grids(o, h, s.columns);
     return s;
 }
 
@@ -106,16 +83,38 @@ double limit_of_map(const GridState& s) {
     return 300;
 }
 
-std::string row_of(const Options& o, const GridState& s, int64_t frame, double seconds) {
-    std::vector<Cell> cells = {number_cell(double(frame)), number_cell(seconds, 4)};
-    if (!s.header.sky_name.empty()) cells.push_back(text_cell(s.header.sky_name));
-    if (s.header.edit) cells.push_back(number_cell(double(*s.header.edit)));
+Line grid_row(const Options& o, const GridState& s, int64_t frame, double seconds) {
+    Line line;
+    add(line, "frame", double(frame)), add(line, "seconds", number_cell(seconds, 4));
+    if (!s.header.sky_name.empty()) add(line, "sky", text_cell(s.header.sky_name));
+    if (s.header.edit) add(line, "edit", double(*s.header.edit));
     for (const GridColumn& c : s.columns) {
         const GridNumber v = grid_number(c, s.grids, 1 - o.ci.value_or(.95));
-        cells.push_back(number_cell(v.value));
-        if (o.ci) cells.push_back(number_cell(v.limits.low)), cells.push_back(number_cell(v.limits.high));
+        if (o.ci) add_bounds(line, c.name, v.value, v.limits.low, v.limits.high);
+        else add(line, c.name, v.value);
     }
-    return table_line(s.names, cells, o.format);
+    return line;
+}
+
+// Of point i of grid g.
+Line point_row(const Options& o, const GridState& s, size_t g, size_t i) {
+    const image::Grid& grid = s.header.grids[g];
+    const std::string paths = paths_of(s.header);
+    Line line;
+    if (!s.header.sky_name.empty()) add(line, "sky", text_cell(s.header.sky_name));
+    add(line, "grid", text_cell(grid.name));
+    if (s.points.empty()) {
+        add(line, "point", double(i));
+    } else {
+        const image::Point& p = s.points[grid.first + i];
+        add(line, "x", p.p.x), add(line, "y", p.p.y), add(line, "z", p.p.z);
+        add(line, "dx", p.dir.x), add(line, "dy", p.dir.y), add(line, "dz", p.dir.z);
+    }
+    const uncertainty::Interval limits = point_limits(s.grids[g], i, 1 - o.ci.value_or(.95));
+    add(line, "E", s.grids[g].value[i]), add(line, "lo", limits.low), add(line, "hi", limits.high);
+    add(line, errors_column, text_cell(grid_errors(s.grids[g], i, prints_halves(o, s.header))));
+    if (!paths.empty()) add(line, paths_column, text_cell(paths));
+    return line;
 }
 
 }  // namespace
@@ -132,9 +131,9 @@ GridStep step(const Options& o, GridState s, image::Picture& p, int64_t frame, d
     if (!s.columns.empty() && other_sky) tell_if_alone(o, s);
     const bool first = s.columns.empty() || !(h.grids == s.header.grids);  // points change in a live stream
     std::string text = !s.columns.empty() && other_sky ? rows_of_points(o, s) : "";
-    const std::vector<std::string> names = s.names;
+    std::vector<std::string> names = std::move(s.names);
     if (first) s = begin(o, h, std::move(s.progress));
-    if (s.names != names && !o.like_rtrace) text += header_line(s.names, o.format);
+    s.names = std::move(names);
     std::vector<float> grey = image::grey_of(p.rgb);
     if (!h.unknown.empty()) grey.assign(grey.size(), std::numeric_limits<float>::quiet_NaN());
     const int64_t n = h.frames.value_or(0);
@@ -147,7 +146,12 @@ GridStep step(const Options& o, GridState s, image::Picture& p, int64_t frame, d
     for (const image::Grid& g : h.grids)
         s.grids.push_back(
             uncertainty::noisy_values(s.parts.parts(), grey.data(), g.first, g.count, image::lumens_per_watt));
-    if (plain) text += row_of(o, s, frame, seconds);
+    if (plain || o.each) {
+        const Line line = plain ? grid_row(o, s, frame, seconds) : point_row(o, s, 0, 0);
+        if (line.names != s.names) text += header_line(line.names, o.format);
+        s.names = line.names;
+        if (plain) text += table_line(line, o.format);
+    }
     // Two pictures in a row: of many looks at a rule, single ones find that it holds before it does.
     if (!s.rule.empty()) s.held = n >= uncertainty::least_frames && rule_holds(s) ? s.held + 1 : 0;
     Verdict verdict;
@@ -202,22 +206,7 @@ std::string rows_of_points(const Options& o, const GridState& s) {
             text += fmt::format("{:.6e}\t{:.6e}\t{:.6e}\t\n", double(s.rgb[3 * i]), double(s.rgb[3 * i + 1]),
                                 double(s.rgb[3 * i + 2]));
     if (!o.each) return text;
-    const bool halves = prints_halves(o, s.header);
-    const std::string paths = paths_of(s.header);
     for (size_t g = 0; g < grids.size(); ++g)
-        for (size_t i = 0; i < grids[g].count; ++i) {
-            std::vector<Cell> cells;
-            if (!s.header.sky_name.empty()) cells.push_back(text_cell(s.header.sky_name));
-            cells.push_back(text_cell(grids[g].name));
-            if (s.points.empty()) cells.push_back(number_cell(double(i)));
-            else
-                for (const base::Vec3& v : {s.points[grids[g].first + i].p, s.points[grids[g].first + i].dir})
-                    for (const double x : {v.x, v.y, v.z}) cells.push_back(number_cell(x));
-            const uncertainty::Interval limits = point_limits(s.grids[g], i, 1 - o.ci.value_or(.95));
-            for (const double v : {s.grids[g].value[i], limits.low, limits.high}) cells.push_back(number_cell(v));
-            cells.push_back(text_cell(errors_cell(s.grids[g], i, halves)));
-            if (!paths.empty()) cells.push_back(text_cell(paths));
-            text += table_line(s.names, cells, o.format);
-        }
+        for (size_t i = 0; i < grids[g].count; ++i) text += table_line(point_row(o, s, g, i), o.format);
     return text;
 }

@@ -24,19 +24,11 @@ bool is_aligned(const Options& o) { return o.format == TableFormat::aligned; }
 constexpr size_t width_with_error = 18;
 
 // "Ev" with "Ev.lo" and "Ev.hi"; for a reader all three are one column.
-void add_names(const Options& o, const std::string& name, std::vector<std::string>& out) {
-    if (is_aligned(o)) out.push_back(fmt::format("{:>{}}", name, width_with_error));
-    else out.insert(out.end(), {name, name + ".lo", name + ".hi"});
-}
-
-void add_numbers(std::initializer_list<double> values, std::vector<Cell>& cells, int digits = 8) {
-    for (const double v : values) cells.push_back(number_cell(v, digits));
-}
-
-void add_with_interval(const Options& o, const Number& n, std::vector<Cell>& cells) {
+void add_with_interval(const Options& o, const std::string& name, const Number& n, Line& line) {
     if (is_aligned(o))
-        cells.push_back({with_error(std::isnan(n.middle) ? n.value : n.middle, n.off.half_width()), true});
-    else add_numbers({n.value, n.middle + n.off.low, n.middle + n.off.high}, cells);
+        add(line, fmt::format("{:>{}}", name, width_with_error),
+            {with_error(std::isnan(n.middle) ? n.value : n.middle, n.off.half_width()), true});
+    else add_bounds(line, name, n.value, n.middle + n.off.low, n.middle + n.off.high);
 }
 
 size_t longest(const std::vector<std::string>& texts) {
@@ -45,41 +37,17 @@ size_t longest(const std::vector<std::string>& texts) {
     return out;
 }
 
-std::vector<std::string> start_names(const Options& o, const Heading& heading) {
-    std::vector<std::string> out;
-    if (!is_plain(o)) out = {"Time", "Frame"};
-    else if (!o.files.empty()) out = {is_aligned(o) ? fmt::format("{:<{}}", "file", longest(o.files)) : "file"};
-    else out = {"frame", "seconds"};
-    if (heading.views) out.push_back("view");
-    if (heading.skies) out.push_back("sky");
-    if (heading.edits) out.push_back("edit");
-    return out;
-}
-
-std::vector<Cell> start_cells(const Options& o, const Heading& heading, const Row& row) {
-    const Cell frame_cell = number_cell(double(row.frame), 15);
-    const Cell seconds_cell = number_cell(o.files.empty() ? std::round(row.seconds * 1000) / 1000 : 0, 9);
-    std::vector<Cell> out = {frame_cell, seconds_cell};
-    if (!is_plain(o)) out = {seconds_cell, frame_cell};
-    else if (!o.files.empty()) out = {text_cell(row.file)};
+Line start_of(const Options& o, const Heading& heading, const Row& row) {
+    Line out;
+    const Cell frame = number_cell(double(row.frame), 15);
+    const Cell seconds = number_cell(o.files.empty() ? std::round(row.seconds * 1000) / 1000 : 0, 9);
+    if (!is_plain(o)) add(out, "Time", seconds), add(out, "Frame", frame);
+    else if (o.files.empty()) add(out, "frame", frame), add(out, "seconds", seconds);
+    else add(out, is_aligned(o) ? fmt::format("{:<{}}", "file", longest(o.files)) : "file", text_cell(row.file));
     const auto name = [](const std::string& text) { return text_cell(text.empty() ? "-" : text); };
-    if (heading.views) out.push_back(name(row.view));
-    if (heading.skies) out.push_back(name(row.sky));
-    if (heading.edits) out.push_back(number_cell(double(row.edit.value_or(0))));
-    return out;
-}
-
-std::vector<std::string> column_names(const Options& o, const std::vector<Column>& columns) {
-    std::vector<std::string> out;
-    for (const Column& c : columns) {
-        if (!c.printed) continue;
-        if (has_interval(o, c)) add_names(o, c.name, out);
-        else out.push_back(c.words && is_aligned(o) ? fmt::format("{:>13}", c.name) : c.name);
-        if (has_difference(o, c)) add_names(o, c.name + ".d", out);
-    }
-    if (o.go_on) out.push_back("settled");
-    if (o.ci) out.push_back(is_aligned(o) ? "tails    " : "tails");
-    if (o.ci && !is_aligned(o)) out.push_back(errors_column);
+    if (heading.views) add(out, "view", name(row.view));
+    if (heading.skies) add(out, "sky", name(row.sky));
+    if (heading.edits) add(out, "edit", double(row.edit.value_or(0)));
     return out;
 }
 
@@ -93,41 +61,55 @@ std::string errors_cell(const Options& o, const std::vector<Column>& columns, co
     return cell.empty() ? "-" : cell;
 }
 
-std::vector<Cell> column_cells(const Options& o, const std::vector<Column>& columns, const Row& row) {
-    std::vector<Cell> out;
+void add_columns(const Options& o, const std::vector<Column>& columns, const Row& row, Line& line) {
     for (size_t k = 0; k < columns.size(); ++k) {
         const Column& c = columns[k];
         const Number& n = row.numbers[k];
         if (!c.printed) continue;
-        if (has_interval(o, c)) add_with_interval(o, n, out);
-        else if (c.words && !std::isnan(n.value)) out.push_back({c.words[int(n.value)], is_aligned(o)});
-        else out.push_back(number_cell(n.value, is_aligned(o) ? 5 : 8));
-        if (has_difference(o, c)) add_with_interval(o, row.differences[k], out);
+        if (has_interval(o, c)) add_with_interval(o, c.name, n, line);
+        else
+            add(line, c.words && is_aligned(o) ? fmt::format("{:>13}", c.name) : c.name,
+                c.words && !std::isnan(n.value) ? Cell{c.words[int(n.value)], is_aligned(o)}
+                                                : number_cell(n.value, is_aligned(o) ? 5 : 8));
+        if (has_difference(o, c)) add_with_interval(o, c.name + ".d", row.differences[k], line);
     }
-    if (o.go_on) out.push_back(number_cell(row.settled));
-    if (o.ci) out.push_back(text_cell(row.heavy_tailed.empty() ? "-" : row.heavy_tailed));
-    if (o.ci && !is_aligned(o)) out.push_back(text_cell(errors_cell(o, columns, row)));
-    return out;
+    if (o.go_on) add(line, "settled", row.settled);
+    if (o.ci)
+        add(line, is_aligned(o) ? "tails    " : "tails", text_cell(row.heavy_tailed.empty() ? "-" : row.heavy_tailed));
+    if (o.ci && !is_aligned(o)) add(line, errors_column, text_cell(errors_cell(o, columns, row)));
 }
 
-std::vector<std::string> source_names(const Options& o) {
-    std::vector<std::string> names = {"source", "pixels", "x",    "y",    "omega", "L",    "P",
-                                      "sigma",  "xdir",   "ydir", "zdir", "Edir",  "zone", "DGPshare"};
-    if (o.outlines) names.push_back("outline");
-    return names;
+void add_source(const Options& o, const GlareSource& s, size_t number, double share, const std::string& outline,
+                Line& line) {
+    const std::pair<const char*, double> numbers[] = {{"source", double(number)},
+                                                      {"pixels", s.pixels},
+                                                      {"x", s.x},
+                                                      {"y", s.y},
+                                                      {"omega", s.omega},
+                                                      {"L", s.lum},
+                                                      {"P", s.P},
+                                                      {"sigma", s.sigma_deg},
+                                                      {"xdir", s.direction.x},
+                                                      {"ydir", s.direction.y},
+                                                      {"zdir", s.direction.z},
+                                                      {"Edir", s.eye_lux},
+                                                      {"zone", double(s.zone)},
+                                                      {"DGPshare", share}};
+    for (const auto& [name, value] : numbers) add(line, name, number_cell(value, is_aligned(o) ? 5 : 8));
+    if (o.outlines) add(line, "outline", {outline});
 }
 
-// A line for each source.
-std::vector<std::vector<Cell>> source_cells(const Options& o, const Measurement& m, const Geometry& geometry) {
-    const std::vector<double> shares = dgp_shares(terms_of(m.sources), o.settings.constants);
-    std::vector<std::vector<Cell>> out;
-    for (size_t k = 0; k < m.sources.size(); ++k) {
-        const GlareSource& s = m.sources[k];
-        out.emplace_back();
-        add_numbers({double(k + 1), s.pixels, s.x, s.y, s.omega, s.lum, s.P, s.sigma_deg, s.direction.x, s.direction.y,
-                     s.direction.z, s.eye_lux, double(s.zone), shares[k]},
-                    out.back(), is_aligned(o) ? 5 : 8);
-        if (o.outlines) out.back().push_back({source_outline(m, geometry, s)});
+// A line for each source, or for the metrics.
+std::vector<Line> lines_of(const Options& o, const Heading& heading, const RunState& run, const Row& row) {
+    const std::vector<GlareSource>& sources = row.measurement.sources;
+    const std::vector<double> shares = dgp_shares(terms_of(sources), o.settings.constants);
+    std::vector<Line> out(o.list_sources ? sources.size() : 1, start_of(o, heading, row));
+    for (size_t k = 0; k < out.size(); ++k) {
+        if (!o.list_sources) add_columns(o, run.plan.columns, row, out[k]);
+        else
+            add_source(o, sources[k], k + 1, shares[k],
+                       o.outlines ? source_outline(row.measurement, run.reading.geometry(), sources[k]) : "", out[k]);
+        if (heading.paths) add(out[k], paths_column, text_cell(row.paths.empty() ? "-" : row.paths));
     }
     return out;
 }
@@ -139,21 +121,12 @@ RowText text_of(const Options& o, Heading heading, const RunState& run, const Ro
         return {heading, "", evalglare::lines(row.measurement, o.evalglare, run.reading)};
     if (heading.names.empty())
         heading.views = !row.view.empty(), heading.skies = !row.sky.empty(), heading.edits = row.edit.has_value();
-    std::vector<std::string> names = start_names(o, heading);
-    const std::vector<std::string> more = o.list_sources ? source_names(o) : column_names(o, run.plan.columns);
-    names.insert(names.end(), more.begin(), more.end());
     heading.paths = heading.paths || !row.paths.empty();
-    if (heading.paths) names.push_back(paths_column);
-    RowText out{heading, names != heading.names ? header_line(names, o.format) : "", ""};
-    out.heading.names = names;
-    const std::vector<std::vector<Cell>> lines =
-        o.list_sources ? source_cells(o, row.measurement, run.reading.geometry())
-                       : std::vector<std::vector<Cell>>{column_cells(o, run.plan.columns, row)};
-    for (const std::vector<Cell>& line : lines) {
-        std::vector<Cell> cells = start_cells(o, heading, row);
-        cells.insert(cells.end(), line.begin(), line.end());
-        if (heading.paths) cells.push_back(text_cell(row.paths.empty() ? "-" : row.paths));
-        out.lines += table_line(names, cells, o.format);
-    }
+    const std::vector<Line> lines = lines_of(o, heading, run, row);
+    Line first = lines.empty() ? start_of(o, heading, row) : lines[0];
+    if (lines.empty()) add_source(o, {}, 0, 0, "", first);
+    RowText out{heading, first.names != heading.names ? header_line(first.names, o.format) : "", ""};
+    out.heading.names = first.names;
+    for (const Line& line : lines) out.lines += table_line(line, o.format);
     return out;
 }

@@ -23,13 +23,6 @@ void choose_view(const std::string& name, std::vector<year::View>& views) {
     if (views.empty()) base::fail("-view", "no view is called \"" + name + "\"");
 }
 
-std::string table(const std::vector<year::Verdict>& verdicts, report::TableFormat format) {
-    const std::vector<std::string> names = year::column_names();
-    std::string text = report::header_line(names, format);
-    for (const year::Verdict& v : verdicts) text += report::table_line(names, year::cells(v), format);
-    return text;
-}
-
 // The same grids under direct sun alone, in the same order.
 std::vector<year::Grid> read_direct(const std::vector<std::string>& paths, const std::vector<year::Grid>& grids) {
     std::vector<year::Grid> read = year::read_tables(paths).grids, direct;
@@ -49,15 +42,6 @@ void refuse_options_of_views(const Options& o) {
         if (given) base::fail(name, "is of views, not of sensors");
 }
 
-std::string table(const std::vector<year::GridYear>& years, bool each, report::TableFormat format) {
-    const std::vector<std::string> names = each ? year::sensor_column_names() : year::grid_column_names();
-    std::string text = report::header_line(names, format);
-    for (const year::GridYear& y : years)
-        for (size_t k = 0; k < (each ? y.sensors.size() : 1); ++k)
-            text += report::table_line(names, each ? cells(y, k) : cells(y), format);
-    return text;
-}
-
 std::string answer(const Options& o, const std::vector<year::Grid>& grids) {
     refuse_options_of_views(o);
     std::vector<year::Grid> direct;
@@ -67,7 +51,11 @@ std::string answer(const Options& o, const std::vector<year::Grid>& grids) {
         years.push_back(year::judge(grids[g], direct.empty() ? nullptr : &direct[g], o.goals, 1 - o.percent / 100));
     if (!o.plot.empty()) year::write_maps(o.plot, years, o.points, o.goals);
     if (!o.honeybee.empty()) year::write_honeybee(o.honeybee, grids, direct);
-    if (o.format || o.each) return table(years, o.each, o.format.value_or(report::TableFormat::tsv));
+    std::vector<report::Line> lines;
+    for (const year::GridYear& y : years)
+        for (size_t k = 0; k < (o.each ? y.sensors.size() : 1); ++k)
+            lines.push_back(o.each ? line_of(y, k) : line_of(y));
+    if (o.format || o.each) return report::table(lines, o.format.value_or(report::TableFormat::tsv));
     std::string text;
     for (const year::GridYear& y : years) text += year::summary(y, o.goals);
     return text;
@@ -95,7 +83,9 @@ std::string answer(const Options& opt, std::vector<year::View> views) {
     if (!opt.honeybee.empty()) year::write_honeybee(opt.honeybee, views);
     if (opt.next) return year::need_lines(views, verdicts, alpha);
     if (opt.worst > 0) return year::worst_lines(views, size_t(opt.worst), opt.command);
-    if (opt.format) return table(verdicts, *opt.format);
+    std::vector<report::Line> lines;
+    for (const year::Verdict& v : verdicts) lines.push_back(year::line_of(v));
+    if (opt.format) return report::table(lines, *opt.format);
     return year::summary(views, verdicts, opt.command) + shades;
 }
 
