@@ -19,7 +19,7 @@ constexpr double rounding = 1e-9;
 
 // A number of a sensor with its limits, and what it is in each half-sample.
 struct Number {
-    Between limits;
+    Bounded limits;
     Images images;
 };
 
@@ -73,14 +73,14 @@ struct Mean {
     double down2 = 0, up2 = 0;  // squares of the distances of the limits if they err independently
 };
 
-template <class Of>
-Mean mean(const std::vector<Numbers>& sensors, const Of& of) {
+template <class Select>
+Mean mean(const std::vector<Numbers>& sensors, const Select& select) {
     Mean sum;
     const double share = 1 / double(sensors.size());
     for (const Numbers& s : sensors) {
-        const Number n = of(s);
-        const Between& b = n.limits;
-        Between& limits = sum.of.limits;
+        const Number n = select(s);
+        const Bounded& b = n.limits;
+        Bounded& limits = sum.of.limits;
         limits.value += share * b.value, limits.low += share * b.low, limits.high += share * b.high;
         sum.down2 += std::pow(share * (b.value - b.low), 2), sum.up2 += std::pow(share * (b.high - b.value), 2);
         sum.of.images.whole += share * n.images.whole;
@@ -91,8 +91,8 @@ Mean mean(const std::vector<Numbers>& sensors, const Of& of) {
 
 // The limits by half-samples, not narrower than those of independent sensors and not wider than if all err alike;
 // these where half-samples do not tell all (strata 0).
-Between between(const Mean& m, double strata, double alpha) {
-    const Between& outer = m.of.limits;
+Bounded bounded(const Mean& m, double strata, double alpha) {
+    const Bounded& outer = m.of.limits;
     if (!(strata > 0)) return outer;
     const Interval by_halves = uncertainty::limits_of(m.of.images, strata, alpha);
     const double low = std::min(by_halves.low, outer.value - std::sqrt(m.down2)),
@@ -129,7 +129,7 @@ GridYear judge(const Grid& grid, const Grid* direct, const Goals& goals, double 
     const auto over_sensors = [&](const Grid& of, const auto& number) {
         const bool is_whole =
             std::none_of(of.hours.begin(), of.hours.end(), [](const GridHour& h) { return is_missing(h); });
-        return between(mean(sensors, number), is_whole ? of.strata : 0, alpha);
+        return bounded(mean(sensors, number), is_whole ? of.strata : 0, alpha);
     };
     y.autonomy = over_sensors(grid, [](const Numbers& s) { return s.autonomy; });
     for (size_t k = 0; k < usefulness_kinds; ++k)

@@ -28,12 +28,12 @@ struct Goals {
 
 enum Usefulness { below, supplementary, autonomous, exceeded };
 constexpr size_t usefulness_kinds = 4;
-using Useful = std::array<Between, usefulness_kinds>;
+using Useful = std::array<Bounded, usefulness_kinds>;
 
 struct SensorYear {
-    Between autonomy;   // share of the hours with autonomy_lux or more
+    Bounded autonomy;   // share of the hours with autonomy_lux or more
     Useful useful;      // shares of the hours
-    Between sun_hours;  // hours with sun_lux or more of direct sun
+    Bounded sun_hours;  // hours with sun_lux or more of direct sun
 };
 
 struct GridYear {
@@ -41,10 +41,10 @@ struct GridYear {
     std::vector<SensorYear> sensors;
     size_t hours = 0, dark = 0, missing = 0;
     std::optional<size_t> sun_hours;  // of the run with direct sun alone
-    Between autonomy;                 // means over the sensors
+    Bounded autonomy;                 // means over the sensors
     Useful useful;
-    Between spatial;  // sDA: share of the sensors whose autonomy is autonomy_share or more
-    Between exposed;  // ASE: share of the sensors with more than sun_hours of direct sun
+    Bounded spatial;  // sDA: share of the sensors whose autonomy is autonomy_share or more
+    Bounded exposed;  // ASE: share of the sensors with more than sun_hours of direct sun
 };
 
 // direct: the same sensors under direct sun alone; null: not known.  alpha: probability that an interval misses.

@@ -79,10 +79,10 @@ std::vector<Need> needs(const View& view, const Verdict& v, double alpha) {
     }
     std::stable_sort(all.begin(), all.end(),
                      [&](const Need& a, const Need& b) { return helps(a) != helps(b) ? helps(a) : a.price < b.price; });
-    size_t few = 0, enough = all.size();  // `few` decide nothing
-    while (enough > few + 1) {
-        const size_t middle = (few + enough) / 2;
-        (decided(view, all, middle, alpha) ? enough : few) = middle;
+    size_t too_few = 0, enough = all.size();
+    while (enough > too_few + 1) {
+        const size_t middle = (too_few + enough) / 2;
+        (decided(view, all, middle, alpha) ? enough : too_few) = middle;
     }
     all.resize(enough);
     if (all.empty()) return all;

@@ -9,7 +9,7 @@ namespace year {
 
 struct Shaded {
     std::vector<View> views;
-    Between closed;  // hours
+    Bounded closed;  // hours
 };
 
 // closed: the same views with closed shades, in at least the hours in which they may be closed.  Where an interval

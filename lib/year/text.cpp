@@ -9,14 +9,14 @@
 namespace year {
 namespace {
 
-constexpr Between unknown{NAN, NAN, NAN};
+constexpr Bounded unknown{NAN, NAN, NAN};
 
-std::string count_text(const Between& n) {
+std::string count_text(const Bounded& n) {
     return n.low == n.high ? fmt::format("{:.0f}", n.value)
                            : fmt::format("{:.0f} ({:.0f} to {:.0f})", n.value, n.low, n.high);
 }
 
-std::string percent_text(const Between& s) {
+std::string percent_text(const Bounded& s) {
     std::string text = fmt::format("{:.1f} %", 100 * s.value);
     if (s.low < s.high) text += fmt::format(" ({:.1f} to {:.1f})", 100 * s.low, 100 * s.high);
     return text;
@@ -45,7 +45,7 @@ std::string five_lines(const View& view, const Verdict& v, const std::string& co
     return text;
 }
 
-void add(report::Line& line, const std::string& name, const Between& b) {
+void add(report::Line& line, const std::string& name, const Bounded& b) {
     report::add_bounds(line, name, b.value, b.low, b.high);
 }
 
@@ -65,7 +65,7 @@ std::string summary(const std::vector<View>& views, const std::vector<Verdict>& 
     return text;
 }
 
-std::string shades_line(const Between& closed, double limit) {
+std::string shades_line(const Bounded& closed, double limit) {
     return fmt::format("shades    closed in {} hours: DGP above {:.2f}\n", count_text(closed), limit);
 }
 

@@ -14,7 +14,7 @@ namespace year {
 std::string summary(const std::vector<View>& views, const std::vector<Verdict>& verdicts, const std::string& command);
 
 // In how many hours shades are closed.
-std::string shades_line(const Between& closed, double limit);
+std::string shades_line(const Bounded& closed, double limit);
 
 report::Line line_of(const Verdict& verdict);
 

@@ -76,9 +76,9 @@ Verdict judge(const View& view, double alpha) {
     return v;
 }
 
-Between spatial_autonomy(const std::vector<Verdict>& verdicts) {
+Bounded spatial_autonomy(const std::vector<Verdict>& verdicts) {
     constexpr double enough = .95;
-    Between s;
+    Bounded s;
     const double share = 1 / double(verdicts.size());
     for (const Verdict& v : verdicts) {
         s.value += share * (v.autonomy.value >= enough);

@@ -18,7 +18,7 @@ constexpr double exceeding_share = .05;
 int class_of(double dgp);       // how many limits are below it
 const char* class_name(int k);  // 0 high, 1 medium, 2 minimum, 3 none
 
-struct Between {
+struct Bounded {
     double value = 0, low = 0, high = 0;
 };
 
@@ -27,10 +27,10 @@ struct Verdict {
     size_t hours = 0, dark = 0;
     size_t undecided = 0;          // hours whose interval holds a limit
     size_t missing = 0;            // of these, hours without values
-    std::array<Between, 3> above;  // hours above each limit
-    Between exceeded;              // DGPe5: at most 5 % of the hours are above it
+    std::array<Bounded, 3> above;  // hours above each limit
+    Bounded exceeded;              // DGPe5: at most 5 % of the hours are above it
     int best = 0, worst = 0;       // class: equal where it is decided
-    Between autonomy;              // share of the hours that are not above .40, dark ones included
+    Bounded autonomy;              // share of the hours that are not above .40, dark ones included
 };
 
 // alpha: probability that an interval misses.
@@ -45,7 +45,7 @@ uncertainty::Interval exceeded_dgp(const View& view, size_t exceeding, double al
 bool holds(const Hour& hour, double limit);
 
 // Share of the views whose autonomy is .95 or more (spatial glare autonomy).
-Between spatial_autonomy(const std::vector<Verdict>& verdicts);
+Bounded spatial_autonomy(const std::vector<Verdict>& verdicts);
 
 // The n hours of the largest DGP, the largest first.
 std::vector<Hour> worst_hours(const View& view, size_t n);

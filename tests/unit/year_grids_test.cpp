@@ -90,7 +90,7 @@ private:
     std::normal_distribution<double> normal_;
 };
 
-bool holds(const Between& interval, double truth) {
+bool holds(const Bounded& interval, double truth) {
     return interval.low <= truth + 1e-9 && truth - 1e-9 <= interval.high;
 }
 
@@ -145,7 +145,7 @@ TEST_CASE("exact values are counted exactly, from each limit on") {
     goals.sun_lux = 900, goals.sun_hours = 99;
     const Grid grid = ramp(1000, 0);
     const GridYear y = judge(grid, &grid, goals, .05);
-    const auto exactly = [](const Between& b, double value) {
+    const auto exactly = [](const Bounded& b, double value) {
         CHECK(b.value == doctest::Approx(value));
         CHECK(b.low == b.value);
         CHECK(b.high == b.value);
@@ -175,7 +175,7 @@ TEST_CASE("a sensor's count has the width of independent errors, its limits hold
     const GridYear y = judge(ramp(1000, .05), nullptr, {}, .05);
     // Of a ramp of one hour a lx the variance is the sum of p (1 - p): s / sqrt(pi) with s = 15 lx.
     const double expected = 1.96 * std::sqrt(15 / std::sqrt(3.14159265)) / 1000;
-    const Between& da = y.sensors[0].autonomy;
+    const Bounded& da = y.sensors[0].autonomy;
     CHECK((da.high - da.low) / 2 == doctest::Approx(expected).epsilon(.15));
     CHECK(holds(da, da.value));
     CHECK(summary(y, {}).find("sDA       100.0 % of the sensors have 300 lx in 50 % of the hours\n") !=

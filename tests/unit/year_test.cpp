@@ -311,7 +311,7 @@ TEST_CASE("spatial autonomy counts views, sure ones and possible ones") {
     all[0].autonomy = {.99, .98, 1};
     all[1].autonomy = {.951, .94, .96};
     all[2].autonomy = {.94, .93, .96};
-    const Between s = spatial_autonomy(all);
+    const Bounded s = spatial_autonomy(all);
     CHECK(s.value == .5);
     CHECK(s.low == .25);
     CHECK(s.high == .75);
