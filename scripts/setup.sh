@@ -10,7 +10,7 @@ set -eu
 packages=
 for part in "$@"; do
     case $part in
-        tools) packages="$packages g++ make cmake ninja-build
+        tools) packages="$packages g++ make git cmake ninja-build
             libcli11-dev libmicrohttpd-dev libopenexr-dev libimath-dev libfmt-dev libpng-dev libpugixml-dev" ;;
         ptrace) packages="$packages libembree-dev ocl-icd-opencl-dev opencl-headers opencl-clhpp-headers" ;;
         tests) packages="$packages doctest-dev mandoc pocl-opencl-icd

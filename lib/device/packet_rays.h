@@ -175,8 +175,8 @@ FN uint32_t packet_box(const PacketRays& p, const float* boxes, uint32_t wide, u
 struct PacketInside {
     v8i in;
     v8f wb, wc, det, t;
-    float3 normal, corner;
-    bool has_plane = false;  // of this triangle
+    float3 normal{}, corner{};  // of this triangle's plane
+    bool has_plane = false;     // are they calculated?
 };
 FN bool packet_inside(const PacketRays& p, uint32_t g, const float* b, PacketInside& met) {
     const uint32_t z = p.kind >> 3, x = z == 2u ? 0u : z + 1u, y = x == 2u ? 0u : x + 1u;

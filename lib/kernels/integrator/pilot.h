@@ -14,13 +14,14 @@ FN_RARE int path_begin_pilot(TABLES(const SceneTables) s, PARAMS(const Params) p
     if (dir_length(paths->dir[path]) == PILOT_FROM_EYE) {
         Ray ray;
         float3 place = xyz4(paths->org[path]);
+        ray.org = place;  // gcc's -Wmaybe-uninitialized does not see that a ray has an origin
         flags = 0u;
         int has_ray = par->points_count > 0u ? point_ray(s, point_at(par, place.x, place.y), &ray)
                                              : view_lens_ray(par, place.x, place.y, F3(0.0f, 0.0f, 0.0f), &ray);
         image_way_start(par, paths, path, place.z);
+        if (!has_ray) return 0;
         paths->org[path] = org_words(ray.org, 0u);
         paths->dir[path] = dir_words(ray.dir, ray.tmax);
-        if (!has_ray) return 0;
     }
 
     path_start(par, paths, path, xyz4(paths->org[path]), &rnd, flags);
