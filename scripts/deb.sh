@@ -10,7 +10,7 @@ umask 022
 
 rm -rf "$out/build" "$out"/luxpipe_*.deb
 cmake -S "$top" -B "$out/build" -G Ninja --log-level=WARNING -DCMAKE_INSTALL_PREFIX=/usr -DLUXPIPE_DEB=ON \
-    ${FLAGS:-} > /dev/null
+    -DCMAKE_UNITY_BUILD=ON ${FLAGS:-} > /dev/null
 cmake --build "$out/build" -j "${JOBS:-$(nproc)}" --target tools > /dev/null
 (cd "$out/build" && cpack -B "$out" --config CPackConfig.cmake > /dev/null)
 rm -rf "$out/_CPack_Packages"

@@ -8,7 +8,7 @@ set -euo pipefail
 mkdir -p "$1" && out=$(cd "$1" && pwd) && top=$(cd "$(dirname "$0")/.." && pwd)
 commit_time=$(git -C "$top" log -1 --format=%ct 2> /dev/null || stat -c %Y "$top/CHANGELOG.md")
 export SOURCE_DATE_EPOCH=${SOURCE_DATE_EPOCH:-$commit_time} LC_ALL=C CMAKE_GENERATOR=Ninja
-export CMAKE_ARGS=${FLAGS:-} CMAKE_BUILD_PARALLEL_LEVEL=${JOBS:-$(nproc)}
+export CMAKE_ARGS="-DCMAKE_UNITY_BUILD=ON ${FLAGS:-}" CMAKE_BUILD_PARALLEL_LEVEL=${JOBS:-$(nproc)}
 platform=manylinux_2_36_$(uname -m)  # Debian 12's C library
 umask 022
 

@@ -8,7 +8,7 @@ namespace cal {
 
 namespace {
 
-constexpr int max_depth = 3000;  // of evaluation: C++ stack
+constexpr int max_evaluation = 3000;  // of evaluation: C++ stack
 
 }  // namespace
 
@@ -39,7 +39,7 @@ int GraphBuilder::force(const Thunk& t) {
 
 int GraphBuilder::eval(const Expr* e, const Environment& env) {
     if (++steps_ > step_limit) throw TooLarge();
-    if (depth_ >= max_depth) fail("evaluation is nested too deeply: a definition that never ends?");
+    if (depth_ >= max_evaluation) fail("evaluation is nested too deeply: a definition that never ends?");
     const Nesting deeper(depth_);
     switch (e->kind) {
     case Expr::Kind::number: return graph_.constant(e->value);

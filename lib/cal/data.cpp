@@ -16,7 +16,7 @@ namespace cal {
 
 namespace {
 
-constexpr size_t max_file = size_t(256) << 20;
+constexpr size_t max_data_file = size_t(256) << 20;
 constexpr uint32_t max_dims = 5;
 constexpr uint32_t even = 0xffffffffu;
 
@@ -57,7 +57,7 @@ private:
 }  // namespace
 
 DataFile read_data(const std::string& path, const std::string& place) {
-    const std::string text = read_text(path, max_file, place);
+    const std::string text = read_text(path, max_data_file, place);
     Numbers in(text, path, place);
     DataFile data;
     const uint32_t dims = in.count("number of dimensions");

@@ -37,7 +37,7 @@ const struct Kind {
 } kinds[] = {MATERIALS(KIND_OF_ROW, KIND_OF_ROW)};
 #undef KIND_OF_ROW
 
-const Kind* find(const std::string& name) {
+const Kind* kind_of(const std::string& name) {
     for (const Kind& k : kinds)
         if (k.values + k.lobe > 0 && name == k.name) return &k;
     return nullptr;
@@ -45,10 +45,10 @@ const Kind* find(const std::string& name) {
 
 }  // namespace
 
-bool has_functions(const std::string& type) { return find(type) != nullptr; }
+bool has_functions(const std::string& type) { return kind_of(type) != nullptr; }
 
 MaterialProgram compile_material(Library& library, const PatternSpec& spec, Code& code) {
-    const Kind* kind = find(spec.type);
+    const Kind* kind = kind_of(spec.type);
     if (!kind) base::fail(spec.place, "\"" + spec.type + "\" has no functions");
     if (spec.strings.size() < kind->strings) base::fail(spec.place, "bad arguments: too few strings for " + spec.type);
     MaterialProgram m;

@@ -213,7 +213,7 @@ const struct Type {
     {"specfunc", 2, ProgramKind::color, specfunc},          {"specpict", 5, ProgramKind::color, specpict},
 };
 
-const Type* find(const std::string& name) {
+const Type* type_of(const std::string& name) {
     for (const Type& t : types)
         if (name == t.name) return &t;
     return nullptr;
@@ -222,7 +222,7 @@ const Type* find(const std::string& name) {
 }  // namespace
 
 Program compile_pattern(Library& library, const PatternSpec& spec, Code& code) {
-    const Type* type = find(spec.type);
+    const Type* type = type_of(spec.type);
     if (!type) base::fail(spec.place, "\"" + spec.type + "\" is not a pattern, texture or mixture");
     if (spec.strings.size() < type->strings) base::fail(spec.place, "bad arguments: too few strings for " + spec.type);
     Program program;

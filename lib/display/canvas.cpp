@@ -13,8 +13,6 @@
 namespace display {
 namespace {
 
-constexpr Colour black{0, 0, 0};
-
 // Lines at 45 degrees, every fourth pixel of the picture, so that they go on in the next rectangle.
 void hatch(Image8& image, const Rectangle& r) {
     for (int y = r.y; y < r.y + r.height; ++y)

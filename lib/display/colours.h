@@ -10,6 +10,7 @@
 namespace display {
 
 using Colour = std::array<uint8_t, 3>;
+constexpr Colour black{0, 0, 0};
 
 // colours[k] for values from thresholds[k - 1] up to, not including, thresholds[k]; the first also for NaN.
 struct ColourTable {

@@ -16,7 +16,7 @@ namespace {
 constexpr int gap = 12, line = 16, side = 360, tall = 480, largest_cell = 24, bar = 14;  // pixels
 constexpr double least_spot = 3;                                                         // pixels of a cell
 constexpr int column_width = side + 3 * gap;
-constexpr Colour unknown{238, 238, 238}, black{0, 0, 0}, white{255, 255, 255};
+constexpr Colour unknown{238, 238, 238}, white{255, 255, 255};
 
 // From the least to the greatest value, without a top: in proportion, or by their logarithm where they span more than a
 // decade.

@@ -20,8 +20,6 @@
 namespace film {
 namespace {
 
-constexpr size_t numbers_a_share = 1u << 16;
-
 bool has_pixels_of(const image::Picture& picture, const ExactSum& sum, int64_t n) {
     std::atomic<bool> same{true};
     base::in_shares(sum.size(), numbers_a_share, base::processors(), [&](size_t from, size_t end) {

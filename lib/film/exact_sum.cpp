@@ -14,7 +14,6 @@ namespace film {
 namespace {
 
 constexpr uint32_t most_added = 1u << 29;
-constexpr size_t numbers_a_share = 1u << 16;
 constexpr double two_32 = 4294967296.;
 
 // A float: 24 bits or fewer, in digit `digit` and the next one.

@@ -12,7 +12,6 @@
 namespace film {
 namespace {
 
-constexpr size_t numbers_a_share = 1u << 16;
 constexpr uint32_t magnitude = 0x7fffffff, infinite = 0x7f800000;
 
 uint32_t bits_of(float v) {

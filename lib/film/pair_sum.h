@@ -8,6 +8,8 @@
 
 namespace film {
 
+constexpr size_t numbers_a_share = 1u << 16;  // of a sum, that a thread takes at a time
+
 class PairSum {
 public:
     explicit PairSum(size_t count) : high_(count), low_(count) {}

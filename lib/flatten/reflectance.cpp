@@ -16,8 +16,8 @@ namespace {
 
 using scene::Type;
 
-constexpr double rounding = 1e-6;  // of 0.7 + 0.2 + 0.1 and the like
-constexpr double impossible = 2;   // above any error of a measurement or of a fit to one
+constexpr double sum_rounding = 1e-6;  // of 0.7 + 0.2 + 0.1 and the like
+constexpr double impossible = 2;       // above any error of a measurement or of a fit to one
 
 enum class Range { color, fraction, roughness };  // 0 to 1 where no pattern multiplies it; 0 to 1; 0 and more
 struct Part {
@@ -93,7 +93,7 @@ bool within_bounds(const Part& part, scene::Span<double> a, bool patterned, cons
     const auto [least, most] = std::minmax_element(a.begin() + part.first, a.begin() + end);
     if (*least < 0) base::warn(place, fmt::format("{}{} {:g} is below 0", named, part.name, *least));
     const bool bounded = part.range == Range::fraction || (part.range == Range::color && !patterned);
-    const bool above = bounded && *most > 1 + rounding;
+    const bool above = bounded && *most > 1 + sum_rounding;
     if (above) base::warn(place, fmt::format("{}{} {:g} is above 1", named, part.name, *most));
     return *least >= 0 && !above;
 }
@@ -113,7 +113,7 @@ void check_reflectance(const scene::Scene& scene, const scene::Object& material,
                                named, sum));
     bool told = false;
     for (const Part& part : parts_of(material.type)) told = !within_bounds(part, a, patterned, place, named) || told;
-    if (!told && !patterned && sum > 1 + rounding)
+    if (!told && !patterned && sum > 1 + sum_rounding)
         base::warn(place, fmt::format("{}gives back {:g} times the light that it gets", named, sum));
 }
 

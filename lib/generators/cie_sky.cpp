@@ -15,7 +15,6 @@ namespace generators {
 namespace {
 
 using base::degree, base::pi;
-constexpr double efficacy = 179;
 
 // ISO 15469:2004, table 1: gradation 1 + a exp(b/cos Z), indicatrix 1 + c (exp(d chi) - exp(d pi/2)) + e cos^2 chi.
 struct Type {
@@ -59,13 +58,13 @@ double horizontal(const Type& t, double altitude) {
     });
 }
 
-struct Options {
+struct CieOptions {
     double irradiance = NAN, direct = 0;
     Site site;
 };
 
-Options read_options(const Call& call, size_t i) {
-    Options o;
+CieOptions read_cie_options(const Call& call, size_t i) {
+    CieOptions o;
     const auto positive = [&](double v, const std::string& option) {
         if (!(v >= 0)) call.fail(option + " is below 0");
         return v;
@@ -82,7 +81,7 @@ Options read_options(const Call& call, size_t i) {
     return o;
 }
 
-void write_sun(std::string& out, double horizontal_irradiance, double sine, base::Vec3 to_sun) {
+void write_cie_sun(std::string& out, double horizontal_irradiance, double sine, base::Vec3 to_sun) {
     constexpr double half_angle = .2665 * degree;  // of 0.533 degrees
     const double half_sine = std::sin(half_angle);
     const double radiance = horizontal_irradiance / (pi * half_sine * half_sine * sine);
@@ -98,13 +97,13 @@ void write_sun(std::string& out, double horizontal_irradiance, double sine, base
 void genciesky(const Call& call, std::string& out) {
     auto text = std::back_inserter(out);
     const int type = int(call.integer(1, "the type", 1, traditional));
-    const Options o = read_options(call, 5);
+    const CieOptions o = read_cie_options(call, 5);
     const Sun s = read_sun(call, 2, o.site, out);
     // The standard defines no sky for a sun whose centre is below the horizon.
     if (s.altitude < 0 || s.altitude > pi / 2) call.fail("the sun's altitude is outside 0 to 90 degrees");
     const base::Vec3 to_sun = sun_direction(s.altitude, s.azimuth);
     if (o.direct > 0 && s.altitude < degree) call.fail("-R with a sun below 1 degree");
-    if (o.direct > 0) write_sun(out, o.direct, std::sin(s.altitude), to_sun);
+    if (o.direct > 0) write_cie_sun(out, o.direct, std::sin(s.altitude), to_sun);
     if (type == traditional) {
         fmt::format_to(text, "\nvoid brightfunc skyfunc\n2 traditional ciesky.cal\n0\n1 {:.8e}\n",
                        o.irradiance * 9 / (7 * pi));  // (1 + 2 sin h)/3 gives 7 pi/9

@@ -19,10 +19,10 @@ namespace generators {
 namespace {
 
 using base::degree;
-constexpr double sun_half_angle = .2665 * degree, efficacy = 179;
+constexpr double sun_half_angle = .2665 * degree;
 constexpr double most_lux = 127500, most_watts = 1367;
 
-struct Options {
+struct DaylitOptions {
     char input = 0;  // P W G L E
     double a = 0, b = 0;
     int output = 0;  // -O
@@ -31,8 +31,8 @@ struct Options {
     Site site;
 };
 
-Options read_options(const Call& call, size_t i) {
-    Options o;
+DaylitOptions read_daylit_options(const Call& call, size_t i) {
+    DaylitOptions o;
     for (; call.has(i); i++) {
         const std::string& w = call.words[i];
         if (w.size() < 2 || (w[0] != '-' && w[0] != '+')) call.fail("unexpected \"" + base::excerpt(w) + "\"");
@@ -46,7 +46,7 @@ Options read_options(const Call& call, size_t i) {
         case 't': call.real(++i, w.c_str()); break;
         case 'd':
             o.dew_point = call.real(++i, "-d");
-            if (o.dew_point < -40 || o.dew_point > 40) o.dew_point = Options().dew_point;
+            if (o.dew_point < -40 || o.dew_point > 40) o.dew_point = DaylitOptions().dew_point;
             break;
         case 'i': o.interval = call.real(++i, "-i"); break;
         case 'g': o.ground = call.real(++i, "-g"); break;
@@ -86,7 +86,7 @@ void split_global(double global, double extraterrestrial, double sine, double& d
 }
 
 // Where the sun stands; writes the comments about it.  At the zenith it is moved to 87 degrees, as in RADIANCE.
-Sun find_sun(const Call& call, const Options& o, int& day, std::string& out) {
+Sun find_sun(const Call& call, const DaylitOptions& o, int& day, std::string& out) {
     auto text = std::back_inserter(out);
     Sun sun;
     if (call.has(1) && call.words[1] == "-ang") {
@@ -121,7 +121,7 @@ struct Irradiance {
 };
 
 // From whichever pair of numbers the options gave.
-Irradiance irradiance(const Options& o, const PerezSky& sky, double sine) {
+Irradiance irradiance(const DaylitOptions& o, const PerezSky& sky, double sine) {
     double direct = o.a, diffuse = o.b;
     Clearness c;
     switch (o.input) {
@@ -146,7 +146,7 @@ Irradiance irradiance(const Options& o, const PerezSky& sky, double sine) {
     return {direct, diffuse, clamp(sky.clearness(direct, diffuse))};  // no diffuse light: as clear as can be
 }
 
-void write_sun(std::string& out, const Options& o, const Clearness& c, double radiance, base::Vec3 to_sun) {
+void write_sun(std::string& out, const DaylitOptions& o, const Clearness& c, double radiance, base::Vec3 to_sun) {
     auto text = std::back_inserter(out);
     if (!o.sun) return;
     if (c.epsilon <= 1) out += "\nvoid light solar\n0\n0\n3 0.0 0.0 0.0\n";
@@ -154,7 +154,7 @@ void write_sun(std::string& out, const Options& o, const Clearness& c, double ra
     fmt::format_to(text, "\nsolar source sun\n0\n0\n4 {:f} {:f} {:f} 0.533\n", to_sun.x, to_sun.y, to_sun.z);
 }
 
-void write_sky(std::string& out, const Options& o, const Clearness& c, const PerezShape& shape, double level,
+void write_sky(std::string& out, const DaylitOptions& o, const Clearness& c, const PerezShape& shape, double level,
                double ground, base::Vec3 to_sun) {
     auto text = std::back_inserter(out);
     const bool colour = o.colour && (c.epsilon <= 1.065 || c.epsilon >= 4.5);
@@ -180,7 +180,7 @@ void write_sky(std::string& out, const Options& o, const Clearness& c, const Per
 
 void gendaylit(const Call& call, std::string& out) {
     auto text = std::back_inserter(out);
-    const Options o = read_options(call, 4);
+    const DaylitOptions o = read_daylit_options(call, 4);
     int day = 0;
     const Sun sun = find_sun(call, o, day, out);
     const base::Vec3 to_sun = sun_direction(sun.altitude, sun.azimuth);

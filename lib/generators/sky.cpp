@@ -19,7 +19,7 @@ namespace {
 using base::degree;
 enum Sky { clear = 1, overcast = 2, uniform = 3, intermediate = 4 };  // skybright.cal's numbers
 
-struct Options {
+struct SkyOptions {
     Sky sky = clear;
     bool sun = true;
     double turbidity = 2.45, ground = .2;
@@ -28,8 +28,8 @@ struct Options {
     Site site;
 };
 
-Options read_options(const Call& call, size_t i) {
-    Options o;
+SkyOptions read_sky_options(const Call& call, size_t i) {
+    SkyOptions o;
     for (; call.has(i); i++) {
         const std::string& w = call.words[i];
         const bool plus = w[0] == '+';
@@ -56,7 +56,7 @@ Options read_options(const Call& call, size_t i) {
 
 void gensky(const Call& call, std::string& out) {
     auto text = std::back_inserter(out);
-    Options o = read_options(call, 4);
+    SkyOptions o = read_sky_options(call, 4);
     const Sun s = read_sun(call, 1, o.site, out);
     double altitude = s.altitude;
     const double azimuth = s.azimuth;

@@ -10,6 +10,8 @@ namespace generators {
 
 struct Call;
 
+constexpr double efficacy = 179;  // lm/W of RADIANCE's white
+
 struct Site {
     double latitude = .66, longitude = 2.13, meridian = 120 * base::pi / 180;
     int year = 0;                              // 0: the approximate formulas without a year

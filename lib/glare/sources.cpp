@@ -55,7 +55,7 @@ Groups bright_groups(const Luminance& lum, const Geometry& g, const Settings& se
     return out;
 }
 
-double light_of(const std::vector<Run>& runs, const Luminance& lum, const Geometry& g) {
+double light_of_runs(const std::vector<Run>& runs, const Luminance& lum, const Geometry& g) {
     double lux = 0;
     for (const Run& r : runs)
         for (uint32_t p = r.start; p < r.start + r.length; ++p) lux += lum.at(p) * lum.filled(p) * g.omega_cos[p];
@@ -184,7 +184,7 @@ Sources find_sources(const Luminance& lum, const Luminance& classification_image
     if (settings.smooth && radius_px >= 1) smooth_groups(groups, g, radius_px);
     if (settings.peaks && radius_px >= 1) extract_peaks(groups, classification_image, settings.peak_limit, components);
     Sources out;
-    out.direct_lux = light_of(groups.runs, lum, g);
+    out.direct_lux = light_of_runs(groups.runs, lum, g);
     out.sets = statistics_of(sets, lum, g);
     if (settings.zones) {
         out.runs_before_zones = groups.runs;

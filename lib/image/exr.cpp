@@ -35,7 +35,7 @@ const std::vector<std::string> moment_channels = {"moments.variance", "moments.d
                                                   "moments.up"};
 constexpr const char* moments_text = "moments";  // attribute: the hash of the pixels that they belong to
 
-Moments read_moments(const ExrInput& in, const std::vector<float>& rgb, const std::string& path) {
+Moments read_moment_channels(const ExrInput& in, const std::vector<float>& rgb, const std::string& path) {
     for (const std::string& channel : moment_channels)
         if (!in.has(channel)) return {};
     if (in.text(moments_text) != base::hash_of(rgb)) {
@@ -133,7 +133,7 @@ Picture read_exr(const std::string& path, const std::string& asked_by) {
         convert(p.frame0, scale, mix);
         if (mix || unit != 1) return p;  // other pixels than those that the rest belongs to
         p.sum = read_sum(in);
-        p.moments = read_moments(in, p.rgb, path);
+        p.moments = read_moment_channels(in, p.rgb, path);
         if (p.header.frames) p.parts = read_parts(in, *p.header.frames, path);
         if (p.header.frames && p.parts.empty()) p.parts = read_means(in, p, path);
         return p;

@@ -16,7 +16,7 @@
 namespace image {
 namespace {
 
-constexpr size_t longest_line = 2040;  // RADIANCE reads lines of at most 2047 characters
+constexpr size_t longest_kept = 2040;  // RADIANCE reads lines of at most 2047 characters
 
 // A line whose key is known: what follows the key, and where it goes.
 struct Field {
@@ -141,7 +141,7 @@ bool means_something(const std::string& line) {
 std::string one_line(std::string text) {
     for (char& c : text)
         if (c == '\n' || c == '\r') c = ' ';
-    if (text.size() > longest_line) text = text.substr(0, longest_line - 4) + " ...";
+    if (text.size() > longest_kept) text = text.substr(0, longest_kept - 4) + " ...";
     return text;
 }
 

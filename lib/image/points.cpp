@@ -23,7 +23,7 @@
 namespace image {
 namespace {
 
-constexpr size_t longest_line = 4096;  // characters
+constexpr size_t longest_point = 4096;  // characters
 
 namespace fs = std::filesystem;
 
@@ -85,7 +85,7 @@ GridFile read_points(const PointFile& of) {
     base::TextReader in = base::TextReader::from_file(of.path, "");
     base::Hash hash;
     uint32_t number = 0;
-    for (std::string line; in.line(line, longest_line);) {
+    for (std::string line; in.line(line, longest_point);) {
         if (++number == 1 && base::begins_with(line, base::byte_order_mark))
             line.erase(0, base::byte_order_mark.size());
         const std::vector<std::string> words = base::split_words(line.substr(0, line.find('#')));

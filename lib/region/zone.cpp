@@ -14,9 +14,9 @@ namespace region {
 using namespace base;
 namespace {
 
-class Cone : public Field {
+class ConeOfSight : public Field {
 public:
-    Cone(const Space& s, double full_deg) : axis_(s.projector.forward()), half_(full_deg / 2 * base::degree) {}
+    ConeOfSight(const Space& s, double full_deg) : axis_(s.projector.forward()), half_(full_deg / 2 * base::degree) {}
     double value(const Point& p) const override { return half_ - angle_between(p.dir, axis_); }
 
 private:
@@ -83,9 +83,9 @@ private:
 
 std::unique_ptr<Field> make_zone(const Shape& s, const Space& space) {
     if (space.behind > 0) base::fail(s.place, "zones of the field of view need a view with an eye point, not -vtl");
-    if (s.text == "central") return std::make_unique<Cone>(space, s.numbers[0]);
-    if (s.text == "ergorama") return std::make_unique<Cone>(space, 60);
-    if (s.text == "panorama") return std::make_unique<Cone>(space, 120);
+    if (s.text == "central") return std::make_unique<ConeOfSight>(space, s.numbers[0]);
+    if (s.text == "ergorama") return std::make_unique<ConeOfSight>(space, 60);
+    if (s.text == "panorama") return std::make_unique<ConeOfSight>(space, 120);
     if (s.text == "position") return std::make_unique<Band>(space, s.numbers[0], s.numbers[1]);
     return std::make_unique<Eye>(space, s.text == "binocular");
 }

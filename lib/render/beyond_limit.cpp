@@ -14,7 +14,7 @@
 namespace render {
 namespace {
 
-constexpr int side = 48;                            // paths across the picture, and up
+constexpr int paths_across = 48;                    // paths across the picture, and up
 constexpr uint32_t sample_number = (3u << 30) + 2;  // which no frame uses
 constexpr double least_told = .001;                 // share of the illuminance
 
@@ -33,7 +33,7 @@ std::vector<double> eye_weights(const view::View& view, int nx, int ny) {
     return weights;
 }
 
-std::vector<float> sampled(device::Device& device, const device::Params& par) {
+std::vector<float> pilot_light(device::Device& device, const device::Params& par) {
     std::vector<float> rgb;
     device.run(par, rgb);
     for (float& value : rgb)
@@ -56,13 +56,13 @@ LeftOut light_beyond_limit(device::Device& device, const device::Params& base, c
     par.mode = MODE_FRAMES;
     par.frame = sample_number;
     par.skip_direct_below = 0;  // direct light, too
-    par.nx = par.ny = side;
+    par.nx = par.ny = paths_across;
     par.first = 0;
-    par.path_count = side * side;
-    const std::vector<float> limited = sampled(device, par);
+    par.path_count = paths_across * paths_across;
+    const std::vector<float> limited = pilot_light(device, par);
     par.ab = no_limit;
-    const std::vector<float> unlimited = sampled(device, par);
-    weights = eye_weights(view, side, side);
+    const std::vector<float> unlimited = pilot_light(device, par);
+    weights = eye_weights(view, paths_across, paths_across);
     for (size_t i = 0; i < weights.size(); i++) {
         const double light = weights[i] * image::luminance(&unlimited[3 * i]),
                      beyond = light - weights[i] * image::luminance(&limited[3 * i]);

@@ -14,7 +14,7 @@ namespace render {
 namespace {
 
 constexpr int patience_for_text_s = 10;
-constexpr long most_bytes = 1 << 26;
+constexpr long most_text = 1 << 26;
 
 // Splits "  next desk " into next and desk.
 Command parse(const std::string& line) {
@@ -31,7 +31,7 @@ long bytes_of_overlay(Command& c) {
     const size_t blank = c.rest.find_last_of(" \t");
     long long bytes;
     if (c.word != "overlay" || blank == std::string::npos) return -1;
-    if (!base::parse_integer(c.rest.substr(blank + 1), bytes) || bytes < 0 || bytes > most_bytes) return -1;
+    if (!base::parse_integer(c.rest.substr(blank + 1), bytes) || bytes < 0 || bytes > most_text) return -1;
     c.rest.erase(c.rest.find_last_not_of(" \t", blank) + 1);
     return long(bytes);
 }

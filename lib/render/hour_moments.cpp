@@ -14,7 +14,7 @@ using namespace kernels;
 namespace {
 
 constexpr uint32_t fewer_places = 4;  // than an hour by itself
-constexpr size_t paths_at_once = 1u << 16;
+constexpr size_t moments_at_once = 1u << 16;
 
 // By pixel, its places of hour after hour: grey.
 struct PlaceValues {
@@ -91,9 +91,9 @@ std::vector<image::Moments> moments_of_hours(device::Device& device, const Pixel
             if (of[i]) all.push_back(i);
         for (std::vector<HourValues>* to : {&values[k].a, &values[k].b}) {
             to->resize(pixels);
-            for (size_t from = 0; from < all.size(); from += paths_at_once / k) {
+            for (size_t from = 0; from < all.size(); from += moments_at_once / k) {
                 const std::vector<uint32_t> some(all.begin() + long(from),
-                                                 all.begin() + long(std::min(all.size(), from + paths_at_once / k)));
+                                                 all.begin() + long(std::min(all.size(), from + moments_at_once / k)));
                 std::vector<uint32_t> hour_of_sun;
                 const device::Params par =
                     params_of_hours(sampling, some, k, to == &values[k].b, hours, places, hour_of_sun);

@@ -80,7 +80,7 @@ const std::optional<Estimate>& pixels_of(const PixelErrors& pixels, size_t toler
     return tolerance < pixels.of_tolerances.size() ? pixels.of_tolerances[tolerance] : none;
 }
 
-Estimate moved(Estimate e, const Estimate& pixels) {
+Estimate less_pixels(Estimate e, const Estimate& pixels) {
     e.value += pixels.value;
     return e;
 }
@@ -117,7 +117,7 @@ bool UntilRule::holds(const std::vector<Estimate>& estimates, const Estimate& dg
     if (class_of_.empty()) return true;
     if (!uncertainty::class_is_known(dgp, dgp_class)) return false;
     if (!pixels.of_class) return true;
-    const Estimate without = moved(dgp, *pixels.of_class);
+    const Estimate without = less_pixels(dgp, *pixels.of_class);
     return uncertainty::class_is_known(without, dgp_class) && dgp_class(without.value) == dgp_class(dgp.value);
 }
 
@@ -166,7 +166,7 @@ std::string UntilRule::out_of_reach(const std::vector<Estimate>& estimates, cons
             "pictures have less",
             width, height, class_of_, dgp.value, dgp.half_width(uncertainty::alpha, any_number));
     if (!pixels.of_class) return "";
-    const Estimate without = moved(dgp, *pixels.of_class);
+    const Estimate without = less_pixels(dgp, *pixels.of_class);
     if (!uncertainty::class_is_known(dgp, dgp_class) || !uncertainty::class_is_known(without, dgp_class)) return "";
     if (dgp_class(without.value) == dgp_class(dgp.value)) return "";
     return fmt::format(

@@ -21,7 +21,7 @@ using base::Vec3;
 constexpr float LEAST_ROUGH = 1e-3f, MOST_ROUGH = .2f;  // rougher ones are sampled well enough by the cosine
 constexpr float SUN_ALPHA2 = 1e-5f;                     // added to a squared roughness for the sun's disc
 constexpr double LEAST_COSINE = .02;                    // between a patch's normal and the sun
-constexpr size_t MOST_PATCHES = 64, MOST_KNOWN = 1024;
+constexpr size_t MOST_POLISHED = 64, MOST_KNOWN = 1024;
 constexpr int RAYS = 256;  // from each patch
 constexpr int LEAST_LIT = 3;
 
@@ -56,7 +56,7 @@ public:
         const flatten::FlatScene::Tree& tree = scene_.trees.at(0);
         for (size_t t = tree.first_triangle; t < tree.first_triangle + tree.triangle_count; t++)
             for (const Vec3& sun : suns) add(t, sun);
-        largest_first(MOST_PATCHES, [](const CoplanarPatch& s) { return s.area * s.specular; });
+        largest_first(MOST_POLISHED, [](const CoplanarPatch& s) { return s.area * s.specular; });
         for (CoplanarPatch& patch : patches_) {
             // All lit, this patch and the smaller ones after it would reflect less.
             const auto more = [&](const CoplanarPatch& s) { return s.lit * s.specular >= patch.area * patch.specular; };

@@ -12,17 +12,17 @@ namespace sampling {
 namespace {
 using base::Vec3;
 
-constexpr int SIDE = 64;              // of the grid
-constexpr int LEAST_CELLS = 4;        // grid cells of a patch
-constexpr double LEAST_COSINE = .02;  // between the sun and the normal of a window or of the lit plane
-constexpr double FULL = .7;           // lit fraction of a patch above which it is not cut
+constexpr int SIDE = 64;                  // of the grid
+constexpr int LEAST_CELLS = 4;            // grid cells of a patch
+constexpr double LEAST_SUN_COSINE = .02;  // between the sun and the normal of a window or of the lit plane
+constexpr double FULL = .7;               // lit fraction of a patch above which it is not cut
 
 struct Cell {
     int a, b;  // cell of the grid
     Vec3 p;    // hit of its ray
 };
 
-struct Plane {
+struct LitPlane {
     Vec3 p, n;  // n: on the sun's side
     std::vector<Cell> cells;
 };
@@ -44,21 +44,21 @@ struct Patch {
     double lit;  // area times the cosine of the sun
 };
 
-class Search {
+class WindowSearch {
 public:
-    Search(const flatten::HostTracer& tracer, const Target& window, Vec3 sun)
+    WindowSearch(const flatten::HostTracer& tracer, const Target& window, Vec3 sun)
         : tracer_(tracer), window_(window), sun_(sun) {}
 
     void patches(std::vector<Patch>& found) {
         send();
-        for (Plane& plane : planes_) cut(plane, plane.cells, found);
+        for (LitPlane& plane : planes_) cut(plane, plane.cells, found);
     }
 
 private:
     const flatten::HostTracer& tracer_;
     const Target& window_;
     const Vec3 sun_;
-    std::vector<Plane> planes_;
+    std::vector<LitPlane> planes_;
 
     Vec3 corner() const { return window_.centre - window_.u * .5 - window_.v * .5; }
     double cell_light() const { return length(cross(window_.u, window_.v)) * dot(window_.out, sun_) / (SIDE * SIDE); }
@@ -73,12 +73,12 @@ private:
                     tracer_.closest(from, -sun_, off, 1e30, flatten::HostTracer::opaque);
                 if (met.t < 0) continue;
                 const Vec3 n = dot(met.normal, sun_) < 0 ? -met.normal : met.normal, p = from - sun_ * met.t;
-                if (dot(n, sun_) >= LEAST_COSINE) plane_of(p, n).cells.push_back({a, b, p});
+                if (dot(n, sun_) >= LEAST_SUN_COSINE) plane_of(p, n).cells.push_back({a, b, p});
             }
     }
 
-    Plane& plane_of(Vec3 p, Vec3 n) {
-        for (Plane& plane : planes_)
+    LitPlane& plane_of(Vec3 p, Vec3 n) {
+        for (LitPlane& plane : planes_)
             if (dot(plane.n, n) > .9999 && std::fabs(dot(p - plane.p, n)) < 1e-3 * (1 + length(p - plane.p)))
                 return plane;
         planes_.push_back({p, n, {}});
@@ -86,13 +86,13 @@ private:
     }
 
     // Point on a plane that is lit through (a, b) of the window.
-    Vec3 image(const Plane& plane, double a, double b) const {
+    Vec3 image(const LitPlane& plane, double a, double b) const {
         const Vec3 from = corner() + window_.u * (a / SIDE) + window_.v * (b / SIDE);
         return from - sun_ * (dot(from - plane.p, plane.n) / dot(sun_, plane.n));
     }
 
     // One patch around some cells of a plane, or two where it would be mostly dark.
-    void cut(const Plane& plane, const std::vector<Cell>& cells, std::vector<Patch>& found) {
+    void cut(const LitPlane& plane, const std::vector<Cell>& cells, std::vector<Patch>& found) {
         if (cells.size() < LEAST_CELLS) return;
         Box box;
         for (const Cell& cell : cells) box.take(cell);
@@ -136,7 +136,7 @@ std::vector<Target> find_patches(const flatten::FlatScene& scene, const flatten:
     std::vector<Patch> found;
     for (const Vec3& sun : suns_of(scene))
         for (const Target& window : windows)
-            if (dot(window.out, sun) > LEAST_COSINE) Search(tracer, window, sun).patches(found);
+            if (dot(window.out, sun) > LEAST_SUN_COSINE) WindowSearch(tracer, window, sun).patches(found);
     std::stable_sort(found.begin(), found.end(), [](const Patch& a, const Patch& b) { return a.lit > b.lit; });
     std::vector<Target> targets;
     for (const Patch& patch : found)

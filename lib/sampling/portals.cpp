@@ -24,7 +24,7 @@ constexpr double SLIVER = 1e-6;  // of the largest window's area: smaller ones l
 static_assert(MOST + MOST_PATCHES + MOST_HIGHLIGHTS <= MOST_PORTALS, "their lights have places in the parameters");
 constexpr double NEAR_BY = 2;  // metres: typical distance to a narrow highlight
 constexpr size_t MOST_PANES = 2000;
-constexpr int RAYS = 256;       // per side
+constexpr int RAYS_OUT = 256;   // per side
 constexpr double ENOUGH = 0.1;  // least excess of rays that escape on the outer side over those on the inner side
 
 struct Rect {
@@ -102,14 +102,14 @@ double open_share(const flatten::HostTracer& tracer, const Rect& r, Vec3 n, std:
     std::uniform_real_distribution<double> uniform(0, 1);
     const double off = 1e-4 * std::sqrt(r.area());
     double share = 0;
-    for (int i = 0; i < RAYS; i++) {
+    for (int i = 0; i < RAYS_OUT; i++) {
         const double a = r.lo[0] + (r.hi[0] - r.lo[0]) * uniform(random);
         const double b = r.lo[1] + (r.hi[1] - r.lo[1]) * uniform(random);
         const double s = uniform(random), phi = 2 * base::pi * uniform(random);
         const Vec3 d =
             r.u * (std::sqrt(s) * std::cos(phi)) + r.v * (std::sqrt(s) * std::sin(phi)) + n * std::sqrt(1 - s);
         if (!tracer.blocked(r.origin + r.u * a + r.v * b + n * off, d, 0, 1e30, flatten::HostTracer::opaque))
-            share += 1.0 / RAYS;
+            share += 1.0 / RAYS_OUT;
     }
     return share;
 }

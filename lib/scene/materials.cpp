@@ -15,17 +15,17 @@ struct Fill {
 constexpr Fill fill(size_t count, double value) { return {count, value}; }
 constexpr Fill none{0, 0};
 
-constexpr Material row(uint32_t number, Fill absent, Passes light, Passes eye, uint32_t traits) {
+constexpr Material material_of(uint32_t number, Fill absent, Passes light, Passes eye, uint32_t traits) {
     return {number, traits & MT_FLAGS, traits & ~MT_FLAGS, light, eye, absent.count, float(absent.value)};
 }
 #define ROW_OF_MATERIAL(number, type, strings, reals, absent, values, lobe, light, eye, region, back, traits) \
-    row(kernels::M_##number, absent, Passes::light, Passes::eye, MATERIAL_TRAITS(region, back, traits)),
-constexpr Material rows[] = {MATERIALS(ROW_OF_MATERIAL, ROW_OF_MATERIAL)};
+    material_of(kernels::M_##number, absent, Passes::light, Passes::eye, MATERIAL_TRAITS(region, back, traits)),
+constexpr Material material_rows[] = {MATERIALS(ROW_OF_MATERIAL, ROW_OF_MATERIAL)};
 #undef ROW_OF_MATERIAL
 
 }  // namespace
 
-const Material& material_row(Type type) { return rows[size_t(type) - size_t(Type::instance) - 1]; }
+const Material& material_row(Type type) { return material_rows[size_t(type) - size_t(Type::instance) - 1]; }
 
 bool light_passes(const Scene& scene, const Object& material, bool bv) {
     const Passes light = material_row(material.type).light;

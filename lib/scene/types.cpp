@@ -45,11 +45,11 @@ const Row rows[] = {
 #undef ROW_OF_MATERIAL
 static_assert(sizeof rows / sizeof rows[0] == size_t(Type::count), "a row for every type, in its order");
 
-const Row& row(Type t) { return rows[size_t(t)]; }
+const Row& row_of(Type t) { return rows[size_t(t)]; }
 
 }  // namespace
 
-const char* type_name(Type t) { return row(t).name; }
+const char* type_name(Type t) { return row_of(t).name; }
 
 bool type_from_name(std::string_view name, Type& t) {
     static const auto index = [] {
@@ -64,7 +64,7 @@ bool type_from_name(std::string_view name, Type& t) {
 }
 
 std::string argument_fault(Type type, size_t strings, size_t reals) {
-    const Row& r = row(type);
+    const Row& r = row_of(type);
     if (strings < size_t(r.strings_min))
         return "needs at least " + std::to_string(r.strings_min) + " string arguments, has " + std::to_string(strings);
     const std::string has = ", has " + std::to_string(reals);
@@ -81,6 +81,6 @@ std::string argument_fault(Type type, size_t strings, size_t reals) {
     return "needs " + counts + " real arguments" + has;
 }
 
-int transform_from(Type type) { return row(type).transform; }
+int transform_from(Type type) { return row_of(type).transform; }
 
 }  // namespace scene

@@ -16,7 +16,7 @@
 namespace uncertainty {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 constexpr double rounding_of_parts = 1e-5;  // of the value: parts are differences of floats
 
 WIDE_LOOP void add_multiple(float weight, const float* from, size_t n, float* to) {
@@ -121,7 +121,7 @@ Replicates replicate(const GrowingMean& mean, const Metrics& metrics, const Valu
 }
 
 std::vector<Estimate> estimate(const Replicates& of, const std::vector<Quantity>& quantities) {
-    std::vector<Estimate> out(of.whole.size(), {nan, nan, 0, 0, false, of.count()});
+    std::vector<Estimate> out(of.whole.size(), {no_value, no_value, 0, 0, false, of.count()});
     for (size_t c = 0; c < out.size() && of.frames.size() >= 2; ++c) {
         const Quantity& q = quantities[c];
         if (by_jackknife(q)) out[c] = jackknife(of.whole[c], values_of(of.without, c), of.frames, q.ratio);
@@ -135,7 +135,8 @@ std::vector<Estimate> estimate(const Replicates& of, const std::vector<Quantity>
             if (pairs == &of.lasting_pairs) out[c].lasting = std::sqrt(variance);
         }
         if (out[c].error < rounding_of_parts * std::fabs(out[c].value)) out[c].unreliable = false;
-        if (q.method == Quantity::Method::none || of.count() < q.least) out[c].error = nan, out[c].unreliable = false;
+        if (q.method == Quantity::Method::none || of.count() < q.least)
+            out[c].error = no_value, out[c].unreliable = false;
     }
     return out;
 }

@@ -34,8 +34,8 @@ std::vector<std::vector<image::Point>> points_of(const std::vector<GridYear>& ye
 
 // limit: in the column's unit, as the numbers times `scale` are.
 template <class Select>
-display::MapColumn column(const std::vector<GridYear>& years, const std::string& unit, std::optional<double> limit,
-                          double top, double scale, const Select& select) {
+display::MapColumn map_column(const std::vector<GridYear>& years, const std::string& unit, std::optional<double> limit,
+                              double top, double scale, const Select& select) {
     display::MapColumn c{unit, limit, {}, {}, limit ? "hatched: undecided" : "", top};
     for (const GridYear& y : years) {
         c.values.emplace_back();
@@ -56,13 +56,13 @@ void write_maps(const std::string& path, const std::vector<GridYear>& years, con
     std::vector<std::string> names;
     for (const GridYear& y : years) names.push_back(y.name);
     std::vector<display::MapColumn> columns{
-        column(years, fmt::format("DA of {:g} lx, % of hours", g.autonomy_lux), 100 * g.autonomy_share, 100, 100,
-               [](const SensorYear& s) -> const Bounded& { return s.autonomy; }),
-        column(years, fmt::format("UDI of {:g} to {:g} lx, % of hours", g.useful_lux[1], g.useful_lux[2]), {}, 100, 100,
-               [](const SensorYear& s) -> const Bounded& { return s.useful[autonomous]; })};
+        map_column(years, fmt::format("DA of {:g} lx, % of hours", g.autonomy_lux), 100 * g.autonomy_share, 100, 100,
+                   [](const SensorYear& s) -> const Bounded& { return s.autonomy; }),
+        map_column(years, fmt::format("UDI of {:g} to {:g} lx, % of hours", g.useful_lux[1], g.useful_lux[2]), {}, 100,
+                   100, [](const SensorYear& s) -> const Bounded& { return s.useful[autonomous]; })};
     if (years.front().sun_hours)
-        columns.push_back(column(years, fmt::format("Sun of {:g} lx, hours", g.sun_lux), g.sun_hours, 0, 1,
-                                 [](const SensorYear& s) -> const Bounded& { return s.sun_hours; }));
+        columns.push_back(map_column(years, fmt::format("Sun of {:g} lx, hours", g.sun_lux), g.sun_hours, 0, 1,
+                                     [](const SensorYear& s) -> const Bounded& { return s.sun_hours; }));
     display::write_canvas(path, display::point_maps(names, points_of(years, points), columns), "vcyear");
 }
 

@@ -41,6 +41,20 @@ check 'values, not protocols: what measures has no methods with an order' '
     [ "$(changing_methods order.h)" = "order.h:5:     void add(int x);" ]
     ! grep -n "^class" "$TOP"/tools/vcmetrics/* >&2; ! changing_methods "$TOP"/lib/glare/*.h | grep . >&2'
 
+# Of a library that CMake compiles eight files at a time.
+apart() { grep -l 'UNITY_BUILD OFF' "$TOP"/lib/*/CMakeLists.txt | sed 's,CMakeLists.*,,'; }
+unity() { cxx | grep -E '/(lib|tools)/.*[.]cpp$' | grep -vFf <(apart); }
+export -f apart unity
+mkdir a b
+printf 'namespace {\nint f(int x) {\n}\nconstexpr int few = 1, many = 2;\n}  // namespace\nint g = 3;\n' > a/one.cpp
+printf 'namespace {\nstruct f {\n};\n}  // namespace\nint g = 3;\nstatic std::set<int> many{1};\n' > a/two.cpp
+cp a/two.cpp b
+check 'no two files of a library have a name of their own in common: make compiles eight of them as one' '
+    unnamed() { awk -f "$TOP/tests/docs/unnamed.awk" "$@"; }
+    unnamed a/one.cpp a/two.cpp b/two.cpp | cut -d : -f 1-3 > seen
+    printf "a/two.cpp:2: f\na/two.cpp:6: many\n" | diff - seen
+    ! unnamed $(unity) | grep . >&2'
+
 lines() { for ((i = 0; i < $1; i++)); do echo "        x += $i;"; done; }
 { echo 'int f(int x,'; echo '      int y) {'; lines 77; echo '}'; } > 80.cpp
 { echo 'int f(int x,'; echo '      int y) {'; lines 78; echo '}'; } > 81.cpp

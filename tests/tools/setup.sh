@@ -40,6 +40,12 @@ fi
 check 'a machine without make gets it from .ci/run' '
     parts=$(sed -n "s/.*setup.sh//p" "$TOP/.ci/run"); : > there; setup $parts; grep -q " make " asked'
 check 'make demo adds the plot'             'parts demo | grep -qx "tools ptrace demo"'
+demo() { make -s -n -C "$TOP" demo BUILD="$TMP/new build"; }
+check 'and builds its own programs, without lanes as long as they are not built' '
+    demo > planned; grep -q "target ptrace ptaccum vcmetrics vcregion$" planned
+    grep -q -e "-DLUXPIPE_LANES=\"" planned; ! grep -q ispc.sh planned
+    mkdir -p "new build/lib/device"; touch "new build/lib/device/"lanes8.o "new build/lib/device/"lanes16.o
+    demo | grep -qE -e "-DLUXPIPE_LANES=(8|16)\""'
 check 'without ptrace its libraries are not asked for' 'parts all FLAGS=-DLUXPIPE_PTRACE=OFF | grep -qE "^tools ?$"'
 check 'SETUP=no installs nothing'           'rm -f asked; : > there; make -s -C "$TOP" setup SETUP=no; test ! -e asked'
 check 'and without it, it does'             'make -s -C "$TOP" setup; test -e asked'
