@@ -20,16 +20,13 @@
 namespace region {
 namespace {
 
-class PicturePolygon : public Field {
-public:
-    explicit PicturePolygon(std::vector<std::pair<double, double>> corners) : c_(std::move(corners)) {}
-    bool in_picture() const override { return true; }
-    double value(const Point& p) const override {
+Field picture_polygon(std::vector<std::pair<double, double>> corners) {
+    const auto value = [c = std::move(corners)](const Point& p) {
         double nearest = INFINITY;
         bool in = false;
-        for (size_t i = 0, j = c_.size() - 1; i < c_.size(); j = i++) {
-            auto [ax, ay] = c_[i];
-            auto [bx, by] = c_[j];
+        for (size_t i = 0, j = c.size() - 1; i < c.size(); j = i++) {
+            auto [ax, ay] = c[i];
+            auto [bx, by] = c[j];
             double ex = bx - ax, ey = by - ay, wx = p.x - ax, wy = p.y - ay, e2 = ex * ex + ey * ey;
             double t = e2 > 0 ? std::clamp((wx * ex + wy * ey) / e2, 0.0, 1.0) : 0;
             double dx = wx - t * ex, dy = wy - t * ey;
@@ -38,54 +35,42 @@ public:
         }
         nearest = std::sqrt(nearest);
         return in ? nearest : -nearest;
-    }
+    };
+    return {value, true};
+}
 
-private:
-    std::vector<std::pair<double, double>> c_;
-};
+// Of each pixel the distance to the nearest one of the other kind, in chessboard steps, by two passes over the mask;
+// below 0 outside.
+std::vector<int> steps_in(const MaskPicture& m) {
+    const int w = m.width, h = m.height;
+    std::vector<int> steps(m.values.size(), w + h);
+    const auto relax = [&](int x, int y, int dx, int dy) {
+        int X = x + dx, Y = y + dy;
+        if (X < 0 || Y < 0 || X >= w || Y >= h) return;
+        size_t here = size_t(y) * size_t(w) + size_t(x), there = size_t(Y) * size_t(w) + size_t(X);
+        bool same = (m.values[here] >= .5f) == (m.values[there] >= .5f);
+        steps[here] = same ? std::min(steps[here], steps[there] + 1) : 1;
+    };
+    for (int y = 0; y < h; ++y)
+        for (int x = 0; x < w; ++x) relax(x, y, -1, 0), relax(x, y, -1, -1), relax(x, y, 0, -1), relax(x, y, 1, -1);
+    for (int y = h - 1; y >= 0; --y)
+        for (int x = w - 1; x >= 0; --x) relax(x, y, 1, 0), relax(x, y, 1, 1), relax(x, y, 0, 1), relax(x, y, -1, 1);
+    for (size_t i = 0; i < steps.size(); ++i)
+        if (m.values[i] < .5f) steps[i] = -steps[i];
+    return steps;
+}
 
-// The distance to the nearest mask pixel of the other kind, in chessboard steps, by two passes over the mask.
-class MaskField : public Field {
-public:
-    MaskField(const MaskPicture& m, const Space& s)
-        : w_(m.width),
-          h_(m.height),
-          sx_(double(m.width) / s.nx),
-          sy_(double(m.height) / s.ny),
-          steps_(m.values.size()) {
-        const int far = w_ + h_;
-        for (size_t i = 0; i < steps_.size(); ++i) steps_[i] = far;
-        auto relax = [&](int x, int y, int dx, int dy) {
-            int X = x + dx, Y = y + dy;
-            if (X < 0 || Y < 0 || X >= w_ || Y >= h_) return;
-            size_t here = at(x, y), there = at(X, Y);
-            bool same = (m.values[here] >= .5f) == (m.values[there] >= .5f);
-            steps_[here] = same ? std::min(steps_[here], steps_[there] + 1) : 1;
-        };
-        for (int y = 0; y < h_; ++y)
-            for (int x = 0; x < w_; ++x)
-                relax(x, y, -1, 0), relax(x, y, -1, -1), relax(x, y, 0, -1), relax(x, y, 1, -1);
-        for (int y = h_ - 1; y >= 0; --y)
-            for (int x = w_ - 1; x >= 0; --x)
-                relax(x, y, 1, 0), relax(x, y, 1, 1), relax(x, y, 0, 1), relax(x, y, -1, 1);
-        for (size_t i = 0; i < steps_.size(); ++i)
-            if (m.values[i] < .5f) steps_[i] = -steps_[i];
-    }
-    bool in_picture() const override { return true; }
-    double value(const Point& p) const override {
-        int x = std::clamp(int(std::floor(p.x * sx_)), 0, w_ - 1),
-            y = std::clamp(h_ - 1 - int(std::floor(p.y * sy_)), 0, h_ - 1);
-        int n = steps_[at(x, y)];
-        double sure = std::max(std::abs(n) - 1, 0) / std::max(sx_, sy_) + 0.05 / std::max(1.0, std::max(sx_, sy_));
+Field mask_field(const MaskPicture& m, const Space& space) {
+    const double sx = double(m.width) / space.nx, sy = double(m.height) / space.ny;
+    const auto value = [w = m.width, h = m.height, sx, sy, steps = steps_in(m)](const Point& p) {
+        int x = std::clamp(int(std::floor(p.x * sx)), 0, w - 1),
+            y = std::clamp(h - 1 - int(std::floor(p.y * sy)), 0, h - 1);
+        int n = steps[size_t(y) * size_t(w) + size_t(x)];
+        double sure = std::max(std::abs(n) - 1, 0) / std::max(sx, sy) + 0.05 / std::max(1.0, std::max(sx, sy));
         return n > 0 ? sure : -sure;
-    }
-
-private:
-    size_t at(int x, int y) const { return size_t(y) * size_t(w_) + size_t(x); }
-    int w_, h_;
-    double sx_, sy_;
-    std::vector<int> steps_;  // > 0 inside
-};
+    };
+    return {value, true};
+}
 
 // Reports an error of a mask at the line that names it.
 template <class Read>
@@ -158,7 +143,7 @@ MaskPicture read_exr_channel(const Shape& s) {
 
 }  // namespace
 
-std::unique_ptr<Field> make_picture_shape(const Shape& s, const Space& space) {
+Field make_picture_shape(const Shape& s, const Space& space) {
     double sx = s.frame == Frame::fraction ? space.nx : 1, sy = s.frame == Frame::fraction ? space.ny : 1;
     std::vector<double> n = s.numbers;
     for (size_t i = 0; i < n.size(); i += 2) n[i] *= sx, n[i + 1] *= sy;
@@ -168,12 +153,10 @@ std::unique_ptr<Field> make_picture_shape(const Shape& s, const Space& space) {
     }
     std::vector<std::pair<double, double>> corners;
     for (size_t i = 0; i < n.size(); i += 2) corners.emplace_back(n[i], n[i + 1]);
-    return std::make_unique<PicturePolygon>(std::move(corners));
+    return picture_polygon(std::move(corners));
 }
 
-std::unique_ptr<Field> make_mask_field(const Shape& s, const Space& space) {
-    return std::make_unique<MaskField>(read_mask_picture(s), space);
-}
+Field make_mask_field(const Shape& s, const Space& space) { return mask_field(read_mask_picture(s), space); }
 
 MaskPicture read_mask_picture(const Shape& s) {
     MaskPicture m;

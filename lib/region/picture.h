@@ -5,8 +5,8 @@
 
 namespace region {
 
-std::unique_ptr<Field> make_picture_shape(const Shape& shape, const Space& space);  // rect, polygon
-std::unique_ptr<Field> make_mask_field(const Shape& shape, const Space& space);     // in where the mask is at least 1/2
+Field make_picture_shape(const Shape& shape, const Space& space);  // rect, polygon
+Field make_mask_field(const Shape& shape, const Space& space);     // in where the mask is at least 1/2
 
 // A mask picture as numbers 0..1, row 0 = top.
 struct MaskPicture {

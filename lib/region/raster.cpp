@@ -33,8 +33,8 @@ double Prepared::value(int node, const Point& p, const Reach& reach) const {
     const Node& n = regions.nodes[size_t(node)];
     switch (n.op) {
     case 's': {
-        const Field& f = *fields[size_t(n.a)];
-        return f.value(p) / (f.in_picture() ? reach.pixel : reach.angle);
+        const Field& f = fields[size_t(n.a)];
+        return f.value(p) / (f.in_picture ? reach.pixel : reach.angle);
     }
     case '+': return std::max(value(n.a, p, reach), value(n.b, p, reach));
     case '&': return std::min(value(n.a, p, reach), value(n.b, p, reach));

@@ -24,7 +24,7 @@ public:
 
     const Regions& regions;
     Space space;
-    std::vector<std::unique_ptr<Field>> fields;  // by shape; none for surface and modifier
+    std::vector<Field> fields;  // by shape; none for surface and modifier
 };
 
 // Calls work(i) for i = 0 .. count-1 on all processors; the first exception is thrown again here.

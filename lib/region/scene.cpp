@@ -97,7 +97,7 @@ private:
     // v: the shape's own value.  Seen at the nine centres alike, or open.
     double space_value(int s, const Cell& c, double v) const {
         if (c.size > 1) return 0;
-        const Field& field = *in_.fields[size_t(s)];
+        const Field& field = in_.fields[size_t(s)];
         bool seen = false, hidden = false;
         for (int y = std::max(c.y - 1, 0); y <= std::min(c.y + 1, ny_ - 1); ++y)
             for (int x = std::max(c.x - 1, 0); x <= std::min(c.x + 1, nx_ - 1); ++x) {
@@ -126,11 +126,11 @@ private:
                 for (int i = 0; i < s.n; ++i) {
                     if (!good[s.crossings[i].surface]) continue;
                     if (sh.within < 0) return true;
-                    if (in_.fields[size_t(sh.within)]->contains(space_.eye + s.p.dir * s.crossings[i].t)) return true;
+                    if (in_.fields[size_t(sh.within)].contains(space_.eye + s.p.dir * s.crossings[i].t)) return true;
                 }
                 return false;
             }
-            const Field& f = *in_.fields[size_t(n.a)];
+            const Field& f = in_.fields[size_t(n.a)];
             return f.value(s.p) >= 0 && (!in_space(sh.kind) || visible(f.distance(s.p), s.begin, s.end));
         }
         case '+': return inside(n.a, s) || inside(n.b, s);

@@ -6,6 +6,7 @@
 #include "region/shape.h"
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <fmt/format.h>
 #include "base/angle.h"
 #include "base/error.h"
@@ -46,86 +47,47 @@ namespace {
 
 const double beyond_any = 10;  // beyond any angle
 
-class Constant : public Field {
-public:
-    explicit Constant(double v) : v_(v) {}
-    double value(const Point&) const override { return v_; }
+Field nowhere() {
+    return {[](const Point&) { return -beyond_any; }};
+}
 
-private:
-    double v_;
-};
+// height: of its plane above the eye, 0 for one of directions.
+Field polygon(const std::vector<Vec3>& corners, Vec3 axis, double height = 0) {
+    return {[outline = SphericalPolygon(corners, axis)](const Point& p) { return outline.value(p.dir); }, false,
+            [axis, height](const Point& p) { return height / dot(axis, p.dir); }};
+}
 
-class Cone : public Field {
-public:
-    Cone(Vec3 axis, double half) : axis_(axis), half_(half) {}
-    double value(const Point& p) const override { return half_ - angle_between(p.dir, axis_); }
+// c, n: from the eye.
+Field disc(Vec3 c, Vec3 n, double r) {
+    const double h = dot(c, n), steepest = r + length(c);
+    const Vec3 in_plane = c - n * h;
+    return {[=](const Point& p) {
+                const double w = dot(n, p.dir);
+                const Vec3 along = p.dir - n * w;
+                return (r * w - length(h * along - w * in_plane)) / steepest;
+            },
+            false, [=](const Point& p) { return h / dot(n, p.dir); }};
+}
 
-private:
-    Vec3 axis_;
-    double half_;
-};
-
-class Polygon3d : public Field {
-public:
-    Polygon3d(const std::vector<Vec3>& corners, Vec3 normal, double height)
-        : outline_(corners, normal), normal_(normal), height_(height) {}
-    double value(const Point& p) const override { return outline_.value(p.dir); }
-    double distance(const Point& p) const override { return height_ / dot(normal_, p.dir); }
-
-private:
-    SphericalPolygon outline_;
-    Vec3 normal_;
-    double height_;
-};
-
-class Disc : public Field {
-public:
-    Disc(Vec3 centre, Vec3 normal, double radius)
-        : c_(centre),
-          n_(normal),
-          r_(radius),
-          h_(dot(centre, normal)),
-          in_plane_(centre - normal * dot(centre, normal)),
-          steepest_(radius + length(centre)) {}
-    double value(const Point& p) const override {
-        double w = dot(n_, p.dir);
-        Vec3 along = p.dir - n_ * w;
-        return (r_ * w - length(h_ * along - w * in_plane_)) / steepest_;
-    }
-    double distance(const Point& p) const override { return h_ / dot(n_, p.dir); }
-
-private:
-    Vec3 c_, n_;
-    double r_, h_;
-    Vec3 in_plane_;
-    double steepest_;
-};
-
-class Sphere : public Field {
-public:
-    Sphere(Vec3 centre, double radius, Vec3 eye) : c_(centre - eye), eye_(eye), r_(radius) {
-        double d = length(c_);
-        around_ = d <= r_;
-        if (!around_) axis_ = unit(c_), half_ = std::asin(r_ / d);
-    }
-    double value(const Point& p) const override { return around_ ? beyond_any : half_ - angle_between(p.dir, axis_); }
-    double distance(const Point& p) const override {
-        if (around_) return 0;
-        double b = dot(c_, p.dir);
-        return b - std::sqrt(std::max(0.0, b * b - dot(c_, c_) + r_ * r_));
-    }
-    bool contains(Vec3 q) const override { return length(q - eye_ - c_) <= r_ * (1 + 1e-9) + 1e-6; }
-
-private:
-    Vec3 c_, eye_, axis_;
-    double r_, half_ = 0;
-    bool around_;
-};
+Field sphere(Vec3 centre, double r, Vec3 eye) {
+    const Vec3 c = centre - eye;
+    const bool around = length(c) <= r;
+    const double half = around ? 0 : std::asin(r / length(c));
+    return {[=, axis = around ? Vec3() : unit(c)](const Point& p) {
+                return around ? beyond_any : half - angle_between(p.dir, axis);
+            },
+            false,
+            [=](const Point& p) {
+                const double b = dot(c, p.dir);
+                return around ? 0 : b - std::sqrt(std::max(0.0, b * b - dot(c, c) + r * r));
+            },
+            [=](Vec3 q) { return length(q - eye - c) <= r * (1 + 1e-9) + 1e-6; }};
+}
 
 // The outline of a box is made of the edges between a face turned to the eye and one turned away.
-class Box3d : public Field {
+class Box {
 public:
-    Box3d(const std::vector<double>& n, Vec3 eye) : eye_(eye) {
+    Box(const std::vector<double>& n, Vec3 eye) : eye_(eye) {
         for (int k = 0; k < 3; ++k) {
             lo_[k] = std::min(n[size_t(k)], n[size_t(k) + 3]) - eye[k];
             hi_[k] = std::max(n[size_t(k)], n[size_t(k) + 3]) - eye[k];
@@ -146,16 +108,16 @@ public:
                     outline_.add(unit(p), unit(q));
                 }
     }
-    double value(const Point& p) const override {
+    double value(const Point& p) const {
         if (around_) return beyond_any;
         double t0, d = outline_.distance(p.dir);
         return hit(p.dir, t0) ? d : -d;
     }
-    double distance(const Point& p) const override {
+    double distance(const Point& p) const {
         double t0 = 0;
         return !around_ && hit(p.dir, t0) ? t0 : 0;
     }
-    bool contains(Vec3 q) const override {
+    bool contains(Vec3 q) const {
         q = q - eye_;
         const double e = 1e-6;
         for (int k = 0; k < 3; ++k)
@@ -183,18 +145,15 @@ private:
     Arcs outline_;
 };
 
-class DirectionPolygon : public Field {
-public:
-    DirectionPolygon(const std::vector<Vec3>& corners, Vec3 axis) : outline_(corners, axis) {}
-    double value(const Point& p) const override { return outline_.value(p.dir); }
-
-private:
-    SphericalPolygon outline_;
-};
+Field box_field(const std::vector<double>& numbers, Vec3 eye) {
+    const auto box = std::make_shared<Box>(numbers, eye);
+    return {[box](const Point& p) { return box->value(p); }, false, [box](const Point& p) { return box->distance(p); },
+            [box](Vec3 q) { return box->contains(q); }};
+}
 
 Vec3 triple(const std::vector<double>& n, size_t at) { return {n[at], n[at + 1], n[at + 2]}; }
 
-std::unique_ptr<Field> polygon3d(const Shape& s, const Space& space) {
+Field polygon3d(const Shape& s, const Space& space) {
     std::vector<Vec3> points;
     for (size_t i = 0; i < s.numbers.size(); i += 3) points.push_back(triple(s.numbers, i));
     Vec3 normal, centre;
@@ -215,20 +174,20 @@ std::unique_ptr<Field> polygon3d(const Shape& s, const Space& space) {
     std::vector<Vec3> corners;
     for (Vec3 p : points) {
         Vec3 d = p - space.eye;
-        if (!(dot(d, normal) > 1e-9 * size)) return std::make_unique<Constant>(-beyond_any);  // seen edge on
+        if (!(dot(d, normal) > 1e-9 * size)) return nowhere();  // seen edge on
         corners.push_back(unit(d));
     }
-    return std::make_unique<Polygon3d>(corners, normal, height);
+    return polygon(corners, normal, height);
 }
 
-std::unique_ptr<Field> disc3d(const Shape& s, const Space& space) {
+Field disc3d(const Shape& s, const Space& space) {
     Vec3 centre = triple(s.numbers, 0) - space.eye, normal = unit(triple(s.numbers, 3));
     if (dot(centre, normal) < 0) normal = -normal;
-    if (dot(centre, normal) <= 1e-9 * s.numbers[6]) return std::make_unique<Constant>(-beyond_any);  // edge on
-    return std::make_unique<Disc>(centre, normal, s.numbers[6]);
+    if (dot(centre, normal) <= 1e-9 * s.numbers[6]) return nowhere();  // edge on
+    return disc(centre, normal, s.numbers[6]);
 }
 
-std::unique_ptr<Field> polygon_direction(const Shape& s, const Space& space) {
+Field polygon_direction(const Shape& s, const Space& space) {
     if (space.behind > 0) fail(s.place, "a polygon of directions needs a view with an eye point, not -vtl");
     std::vector<Vec3> corners;
     Vec3 sum, winding;
@@ -243,12 +202,12 @@ std::unique_ptr<Field> polygon_direction(const Shape& s, const Space& space) {
     for (Vec3 axis : {unit(sum), unit(winding), unit(-winding)}) {
         bool good = true;
         for (Vec3 c : corners) good = good && dot(c, axis) > 1e-6;
-        if (good) return std::make_unique<DirectionPolygon>(corners, axis);
+        if (good) return polygon(corners, axis);
     }
     fail(s.place, "the polygon's directions do not lie within one hemisphere");
 }
 
-std::unique_ptr<Field> circle(const Shape& s, const Space& space) {
+Field circle(const Shape& s, const Space& space) {
     if (space.behind > 0) fail(s.place, "a circle of directions needs a view with an eye point, not -vtl");
     const std::vector<double>& n = s.numbers;
     Vec3 axis;
@@ -273,17 +232,21 @@ std::unique_ptr<Field> circle(const Shape& s, const Space& space) {
         axis = p.dir;
     }
     }
-    return std::make_unique<Cone>(axis, n.back() / 2 * base::degree);
+    return cone(axis, n.back() / 2 * base::degree);
 }
 
 }  // namespace
 
-std::unique_ptr<Field> make_field(const Shape& s, const Space& space) {
+Field cone(Vec3 axis, double half_rad) {
+    return {[=](const Point& p) { return half_rad - angle_between(p.dir, axis); }};
+}
+
+Field make_field(const Shape& s, const Space& space) {
     switch (s.kind) {
     case Kind::polygon3d: return polygon3d(s, space);
     case Kind::disc3d: return disc3d(s, space);
-    case Kind::box3d: return std::make_unique<Box3d>(s.numbers, space.eye);
-    case Kind::sphere3d: return std::make_unique<Sphere>(triple(s.numbers, 0), s.numbers[3], space.eye);
+    case Kind::box3d: return box_field(s.numbers, space.eye);
+    case Kind::sphere3d: return sphere(triple(s.numbers, 0), s.numbers[3], space.eye);
     case Kind::circle: return circle(s, space);
     case Kind::polygon_direction: return polygon_direction(s, space);
     case Kind::rect:

@@ -4,7 +4,7 @@
 // point evaluated is wholly inside or outside as soon as |value| > r: rasterize() refines only where it must.
 // In a parallel view directions are those from an eye very far behind the picture, which is what that view is.
 #pragma once
-#include <memory>
+#include <functional>
 #include "region/region.h"
 
 namespace region {
@@ -26,17 +26,16 @@ struct Space {
     bool counts(double x, double y) const;
 };
 
-class Field {
-public:
-    virtual ~Field() = default;
-    virtual double value(const Point& p) const = 0;
-    virtual bool in_picture() const { return false; }  // value is in pixels, not in radians
+struct Field {
+    std::function<double(const Point&)> value;  // none: of a surface or a modifier
+    bool in_picture = false;                    // value is in pixels, not in radians
     // Distance from the eye to the shape along p.dir, for shapes in space where value(p) >= 0; 0 = cannot be hidden.
-    virtual double distance(const Point&) const { return 0; }
-    virtual bool contains(Vec3) const { return false; }  // box3d, sphere3d: a point in space
+    std::function<double(const Point&)> distance = [](const Point&) { return 0.; };
+    std::function<bool(Vec3)> contains = [](Vec3) { return false; };  // box3d, sphere3d: a point in space
 };
+Field cone(Vec3 axis, double half_rad);
 
 // Throws Error (place = the shape's) if this view cannot have it.  Not for surface and modifier.
-std::unique_ptr<Field> make_field(const Shape& shape, const Space& space);
+Field make_field(const Shape& shape, const Space& space);
 
 }  // namespace region

@@ -4,5 +4,5 @@
 #include "region/shape.h"
 
 namespace region {
-std::unique_ptr<Field> make_zone(const Shape& shape, const Space& space);
+Field make_zone(const Shape& shape, const Space& space);
 }
