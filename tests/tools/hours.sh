@@ -36,6 +36,10 @@ check 'vcmetrics finds black pictures where an hour has light, not where it is d
     render -wea y.wea shut.rad 2> notes | ptaccum -last -o - | vcmetrics -metrics Ev 2> said > rows
     grep -q "^vcmetrics: warning: 1221_0730: the picture is black: .* in a solid" said
     tail -n 1 said | grep -q "is black: .*(2 times)$"; [ "$(wc -l < said)" = 2 ]'
+check 'without -frames hours have sixteen diffuse ones each' '
+    ptrace -vf $office/view.vf -x 8 -y 8 -wea y.wea -hours "1221 7-13" $scene 2> said | ptaccum -every x2/8 |
+        vcmetrics -metrics Ev -last > rows
+    [ "$(tail -n +2 rows | cut -f 1 | uniq -c | tr -s " ")" = " 2 16" ]'
 check 'an hour has the frames of a run for this hour alone' '
     render -wea y.wea -hours 1221_1230 | ptaccum -last -o alone_%s.exr
     [ "$(mkstream differ alone_1221_1230.exr 1221_1230.exr)" = 0 ]'

@@ -22,7 +22,6 @@ std::string why_apart(const Options& opt) {
 }
 
 void render_hours(Options opt, size_t i, const render::Session& session, Report& report) {
-    if (opt.last == Options::endless) opt.last = opt.first + Options::frames_of_hours;
     const render::ViewPlan& plan = session.renderer().plan();
     std::vector<render::HourSky> hours;
     std::vector<size_t> of;  // of each: its place in opt.skies

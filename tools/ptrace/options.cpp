@@ -14,6 +14,7 @@
 #include "base/run.h"
 #include "base/warnings.h"
 #include "declare.h"
+#include "hours.h"
 #include "image/header.h"
 #include "image/stream.h"
 #include "scene/rad_input.h"
@@ -204,6 +205,7 @@ std::optional<int> parse(int argc, char** argv, const std::vector<std::string>& 
     base::use_processors(unsigned(opt.threads));
     if (!opt.warnings) base::set_warning_sink({});
     choose_hours(table, opt);
+    if (opt.last == Options::endless && why_apart(opt).empty()) opt.last = opt.first + Options::frames_of_hours;
     std::string ignored, spectral;
     for (const std::string& name : table.ignored_ones())
         if (name == "-z") base::warn("-z", "ignored: no depth file is written");
