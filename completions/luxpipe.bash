@@ -6,7 +6,7 @@ _luxpipe() {
     COMPREPLY=()
     [[ $word == -* ]] || return 0
     local options
-    options=$("$1" -help 2> /dev/null | sed -nE 's/^  (-[A-Za-z0-9]+)(\[\+-\])?.*/\1/p')
+    options=$("$1" -help all 2> /dev/null | sed -nE 's/^  (-[A-Za-z0-9]+)(\[\+-\])?.*/\1/p')
     mapfile -t COMPREPLY < <(compgen -W "$options" -- "$word")
 }
 complete -o default -F _luxpipe ptrace ptaccum vcmetrics vcregion vcyear vcview luxpipe-live

@@ -113,6 +113,10 @@ bool OptionTable::read(ArgCursor& words) {
         if (lacks || !words.left()) fail(o.name, "an argument is missing (" + o.spelling + ")");
     for (size_t i = 0; i < o.ignored.value_or(0) && words.left() && is_whole_number(words.word()); ++i) ++words.at;
 
+    const auto end = o.may_follow.end();
+    if (words.left() && std::find(o.may_follow.begin(), end, words.word()) != end)
+        arguments.push_back(words.words[words.at++]);
+
     const bool users = words.scene_file.empty();
     if (users || o.scene != Option::Scene::passed_over) carry_out(o, arguments, words.scene_file);
     if (users) parsed_.push_back({&o, {words.words.begin() + long(from), words.words.begin() + long(words.at)}});

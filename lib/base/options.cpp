@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// See options.h.  The one file that includes CLI11, which takes long to compile: declarations, conversions, ranges and
-// -help.  Messages are ours: the functions that CLI11 calls to read and check an argument throw them.
+// See options.h.  The one file that includes CLI11, which takes long to compile.
+// CLI11 stores names, sentences, groups and defaults, sees that no name is declared twice, and converts flags.  Ours
+// are: finding and cutting words, for its reader refuses "-until", takes "-1" for an operand and knows no "-vta"
+// (decisions/0017); ranges and messages, for its are several lines that name neither program nor place; and the layout
+// of -help, for its formatter can tell no option of another program from ours.
 #include "base/options.h"
 
 #include <CLI/CLI.hpp>
@@ -16,8 +19,6 @@
 
 namespace base {
 namespace {
-
-const char* const ignored_group = "Accepted and not needed";
 
 double in_range(const Range& range, double value, const std::string& name) {
     const std::string text = number_text(value);
@@ -77,31 +78,6 @@ std::string item(const std::string& spelling, const std::string& text) {
     return out;
 }
 
-class Help : public CLI::Formatter {
-    std::string make_help(const CLI::App* app, std::string, CLI::AppFormatMode) const override {
-        std::vector<std::string> groups = app->get_groups();
-        std::rotate(groups.begin(), groups.begin() + 1, groups.end());  // General is declared first and printed last
-        std::string text = app->get_description(), ignored;
-        for (const std::string& group : groups) {
-            if (!group.empty() && group != ignored_group) text += group + "\n";
-            for (const CLI::Option* o : app->get_options([&](const CLI::Option* o) { return o->get_group() == group; }))
-                if (group == ignored_group) ignored += " " + o->get_option_text();
-                else if (!group.empty()) text += make_option(o, false);
-        }
-        if (!ignored.empty()) text += std::string(ignored_group) + ":\n" + item("", ignored.substr(1));
-        return text + app->get_footer();
-    }
-    std::string make_option(const CLI::Option* o, bool) const override {
-        return item(o->get_option_text(), make_option_desc(o));
-    }
-
-public:
-    std::string make_option_desc(const CLI::Option* o) const override {
-        const std::string value = o->get_default_str();
-        return o->get_description() + (value.empty() ? "" : " (" + value + ")") + ".";
-    }
-};
-
 }  // namespace
 
 const std::string& Arguments::name() const { return option_.name; }
@@ -140,12 +116,15 @@ Option& Option::default_text(const std::string& text) { return cli->default_str(
 Option& Option::joined() {
     joint = Joint::joined;
     spelling.erase(name.size(), 1);
-    cli->option_text(spelling);
     return *this;
 }
 
 std::string Option::group() const { return ignored ? "" : cli->get_group(); }
-std::string Option::text() const { return Help().make_option_desc(cli); }
+
+std::string Option::text() const {
+    const std::string value = cli->get_default_str();
+    return cli->get_description() + (value.empty() ? "" : " (" + value + ")") + ".";
+}
 
 std::string Option::in_force() const {
     const std::string value = show ? show() : "";
@@ -157,22 +136,28 @@ OptionTable::OptionTable() : app_(std::make_unique<CLI::App>()) { app_->set_help
 OptionTable::~OptionTable() = default;
 
 OptionTable::OptionTable(Text tool, Text version, Text usage) : OptionTable() {
-    tool_ = tool, version_ = version;
-    app_->description("usage: " + tool + " " + usage + "\n");
-    app_->formatter(std::make_shared<Help>());
-    footer("");
+    tool_ = tool, version_ = version, usage_ = "usage: " + tool + " " + usage + "\n";
     group("General");
     question("-defaults", "Print the values in force", [this] { return defaults(); });
     question("-version", "Print the version", [this] { return this->version(); });
-    question("-help", "Print the options", [this] { return help(); });
+    help_ = &add("-help", "Print the options", [this](Arguments& a) {
+        const std::string word = a.text();
+        const std::vector<std::string>& programs = help_->may_follow;
+        answer(help(std::count(programs.begin(), programs.end(), word) ? word : ""));
+    });
+    help_->may_follow = {"all"};
 }
 
-void OptionTable::footer(Text text) { app_->footer(text + "Described in " + tool_ + "(1).\n"); }
+void OptionTable::group(Text title, Text program) {
+    group_ = title, program_ = program;
+    if (!program.empty()) help_->may_follow.push_back(program);
+}
 
 Option& OptionTable::declare(Text spelling, CLI::Option* cli, std::function<std::string()> show) {
     Option& o = options_.emplace_back();
-    o.cli = cli->group(group_)->option_text(spelling);
+    o.cli = cli->group(group_);
     o.name = name_of(spelling);
+    o.program = program_;
     o.spelling = spelling;
     o.count = size_t(std::count(spelling.begin(), spelling.end(), ' '));
     o.is_switch = spelling == o.name + "[+-]";
@@ -218,12 +203,13 @@ Option& OptionTable::add(Text spelling, Text sentence, const Action& action) {
     return o;
 }
 
-void OptionTable::question(Text name, Text sentence, std::function<std::string()> answer) {
-    add(name, sentence, [this, answer](Arguments&) {
-        const std::string text = answer();
-        write_stdout(text.data(), text.size());
-        answered_ = true;
-    });
+void OptionTable::question(Text name, Text sentence, std::function<std::string()> text) {
+    add(name, sentence, [this, text](Arguments&) { answer(text()); });
+}
+
+void OptionTable::answer(Text text) {
+    write_stdout(text.data(), text.size());
+    answered_ = true;
 }
 
 void OptionTable::refuse(Text spelling, Text sentence, Text reason) {
@@ -235,7 +221,7 @@ void OptionTable::refuse(Text spelling, Text sentence, Text reason) {
 void OptionTable::ignored(Text names, size_t arguments, Scenes scenes, size_t numbers) {
     for (const std::string& name : CLI::detail::split(names, ' ')) {
         Option& o = add(name, "", [](Arguments&) {});
-        o.cli->group(ignored_group)->type_size(std::max(1, int(arguments)));
+        o.cli->type_size(std::max(1, int(arguments)));
         o.count = arguments;
         o.ignored = numbers;
         if (scenes == Scenes::yes) o.from_scene();
@@ -257,7 +243,28 @@ void OptionTable::carry_out(const Option& option, std::vector<std::string> argum
     option.cli->run_callback();
 }
 
-std::string OptionTable::help() const { return app_->help(); }
+std::string OptionTable::help(Text program) const {
+    std::vector<const Option*> listed;
+    std::vector<std::string> groups;
+    const bool begins = program.empty() || program == "all";
+    std::string text = begins ? usage_ + examples_ : "", ignored;
+    for (const Option& o : options_) {
+        if (program != "all" && o.program != program) continue;
+        listed.push_back(&o);
+        if (o.ignored) ignored += " " + o.name;
+        if (!o.group().empty() && std::find(groups.begin(), groups.end(), o.group()) == groups.end())
+            groups.push_back(o.group());
+    }
+    // General is declared first and printed last.
+    if (!groups.empty() && groups[0] == "General") std::rotate(groups.begin(), groups.begin() + 1, groups.end());
+    for (const std::string& group : groups) {
+        text += group + "\n";
+        for (const Option* o : listed)
+            if (o->group() == group) text += item(o->spelling, o->text());
+    }
+    if (!ignored.empty()) text += "Accepted and not needed:\n" + item("", ignored.substr(1));
+    return text + (begins ? footer_ : "") + "Described in " + tool_ + "(1).\n";
+}
 
 std::string OptionTable::defaults() const {
     std::string text;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The options of a tool, each declared once.  CLI11 holds the declarations: it finds an option by its name, converts
-// and checks its arguments and prints -help (options.cpp).  RADIANCE's spelling stands in front of it
+// flags and calls what reads the other arguments (options.cpp).  RADIANCE's spelling stands in front of it
 // (command_line.cpp).  A test compares the manual with the declarations.
 //     OptionTable t("ptrace", LUXPIPE_VERSION, "[options] scene.rad ...");
 //     t.group("Picture");
@@ -101,7 +101,9 @@ struct Option {
     bool pixels = false;
     Range range = {};
     bool is_share = false;
-    std::optional<size_t> ignored = {};  // read past, with up to so many whole numbers more
+    std::optional<size_t> ignored = {};        // read past, with up to so many whole numbers more
+    std::string program = {};                  // whose option it is, if another's: only -help PROGRAM lists it
+    std::vector<std::string> may_follow = {};  // words of which one may stand behind it: -help PROGRAM
 
     Option& unit(const std::string& text);
     Option& default_text(const std::string& text);  // a default that the variable does not show
@@ -133,13 +135,13 @@ public:
 
     // Spelling and arguments as the user types them; a sentence without its full stop; a variable or an action.
     using Text = const std::string&;
-    void group(Text title) { group_ = title; }
+    void group(Text title, Text program = "");
     template <class T, class = std::enable_if_t<!std::is_convertible_v<T&, Action>>>
     Option& add(Text spelling, Text sentence, T& variable);  // options.cpp lists the types; of strings one more
     Option& add(Text spelling, Text sentence, const Action& action);
 
-    // Prints what answer() says and ends the program.
-    void question(Text name, Text sentence, std::function<std::string()> answer);
+    // Prints this text and ends the program.
+    void question(Text name, Text sentence, std::function<std::string()> text);
 
     // An option of another program that is named to refuse it, with the reason.  Without a sentence -help is silent.
     void refuse(Text spelling, Text sentence, Text reason);
@@ -151,7 +153,10 @@ public:
     std::vector<std::string> ignored_ones() const;  // those that were given and have arguments
 
     void options_come_before(Text operands) { operands_ = operands; }
-    void footer(Text text);
+    void footer(Text text) { footer_ = text; }
+    void examples(Text commands) {
+        examples_ = commands;
+    }  // with the folder in which they work; -help begins with them
 
     // The whole command line; returns the operands.  Nothing: a question was answered, main ends with status 0.
     std::optional<std::vector<std::string>> parse(int argc, char** argv);
@@ -177,7 +182,7 @@ public:
 
     const std::deque<Option>& options() const { return options_; }
     std::string version() const { return tool_ + " (luxpipe) " + version_ + "\n"; }
-    std::string help() const;
+    std::string help(Text program = "") const;  // the tool's own options, PROGRAM's, or all
     std::string defaults() const;  // the values in force as options, which serve as an @file without the comments
 
 private:
@@ -190,10 +195,12 @@ private:
     const Option* named(Text name) const;
     Found find(Text word) const;
     bool read(ArgCursor& words);
+    void answer(Text text);
     void carry_out(const Option& option, std::vector<std::string> arguments, Text scene_file);
     [[noreturn]] void unknown(Text word) const;
 
-    std::string tool_, version_, group_, operands_, command_, scene_file_;
+    std::string tool_, version_, usage_, examples_, footer_, group_, program_, operands_, command_, scene_file_;
+    Option* help_ = nullptr;
     const Option* carried_out_ = nullptr;
     std::unique_ptr<CLI::App> app_;
     std::deque<Option> options_;  // add() gives out references

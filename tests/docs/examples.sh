@@ -31,6 +31,14 @@ done
 check 'every tool has an example' 'for t in ptrace ptaccum vcregion vcmetrics; do test -f $t.1.1.sh; done'
 
 cd "$TMP" && cp -r "$TOP/examples" .
+for tool in ptrace vcmetrics vcyear; do
+    $tool -help |
+        awk 'NR == 2 && /^In the folder examples.scenes.office[:,]/ { on = 1; next }
+             /^[^ ]/ { on = 0 } on' > $tool.begins
+    check "$tool -help begins with three commands that work" "
+        [ \"\$(grep -c '^  [a-z]' $tool.begins)\" = 3 ]; cd examples/scenes/office
+        timeout 200 bash -eo pipefail $TMP/$tool.begins"
+done
 for script in examples/[0-9]*.sh; do
     check "$script is short" "test \$(wc -l < $script) -le 20"
     check "$script runs" "SIZE=$size FRAMES=8 timeout 300 bash $script"

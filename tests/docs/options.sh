@@ -5,8 +5,8 @@
 needs mandoc ptaccum vcmetrics vcregion
 
 # "-x n <tab> Horizontal resolution (512)." for each option of the help; broken lines are put together.
-help_items() {
-    "$1" -help | awk '
+help_items() {  # TOOL [PROGRAM]
+    "$1" -help "${2-all}" | awk '
         /^  -/ { if (head) print head "\t" text; text = ""; sub(/^  /, "")
                  if (match($0, /   */)) { head = substr($0, 1, RSTART - 1); text = substr($0, RSTART + RLENGTH) }
                  else head = $0; next }
@@ -39,7 +39,7 @@ not_said() {
 
 for tool in ptrace ptaccum vcmetrics vcregion vcyear vcview luxpipe-live; do
     command -v $tool > /dev/null || continue
-    help_items $tool > $tool.items
+    help_items $tool | tee $tool.items.all > $tool.items
     page_words $tool > $tool.words
     cut -f 1 $tool.items | cut_names > $tool.names
     [ $tool != vcmetrics ] || sed -i '/^-metrics/s/: .*/: those of vcmetrics-formulas(7)./' $tool.items
@@ -47,13 +47,18 @@ for tool in ptrace ptaccum vcmetrics vcregion vcyear vcview luxpipe-live; do
     check "$tool: every option of -help is in the page, and no other" "page_options $tool | diff $tool.names -"
     check "$tool: the page says of each what -help says" "
         not_said $tool.items $tool.words > missing; cat missing >&2; test ! -s missing"
-    check "$tool: -help breaks its lines" "$tool -help | awk 'length > 100' | wc -l | grep -qx 0"
+    check "$tool: -help breaks its lines" "$tool -help all | awk 'length > 100' | wc -l | grep -qx 0"
 done
 
 check 'vcmetrics-formulas(7) has the columns that -help lists' '
     names=$(help_items vcmetrics | sed -n "s/^-metrics list.*separated: //p"); [ -n "$names" ]
     mandoc -T ascii -O width=1000 "$TOP/man/vcmetrics-formulas.7" | sed "s/.\x08//g" | tr -s " \n" " " |
         grep -qF "${names%.}"'
+
+check "evalglare's options stand under -help evalglare, the others under -help" '
+    help_items vcmetrics "" > own; help_items vcmetrics evalglare > others
+    grep -q "^-metrics" own; grep -q "^-T x y angle" others; ! vcmetrics -help | grep "not here"
+    [ "$(cat own others | sort)" = "$(sort vcmetrics.items.all)" ]; [ "$(wc -l < others)" -gt 35 ]'
 
 printf -- '-x n\tSize (3).\n' > one.items
 echo ' OPTIONS -x n Size (4). More words. ' > one.words
@@ -62,6 +67,6 @@ check 'another default in the page is seen' 'not_said one.items one.words | grep
 if command -v ptrace > /dev/null; then
     ignored() { tr -s ' \n' ' ' | grep -o "$1[^)]*" | grep -oE -e '-[A-Za-z]+' | sort; }
     check 'ptrace(1) names the options that are read past' '
-        ptrace -help | ignored "Accepted and not needed:" > ours
+        ptrace -help rpict | ignored "Accepted and not needed:" > ours
         mandoc -T ascii "$TOP/man/ptrace.1" | sed "s/.\x08//g" | ignored "named once in a warning:" | diff ours -'
 fi

@@ -56,6 +56,9 @@ void declare(base::OptionTable& t, Values& v) {
     t.ignored("-ap", 1, base::OptionTable::Scenes::no, 2);
     t.ignored("-pRGB", 0, base::OptionTable::Scenes::yes);
     t.refuse("-c file", "Not here: a picture", "writes a picture");
+    t.group("other's", "other");
+    t.add("-theirs n", "Theirs", v.level);
+    t.examples("As here:\n  tool file\n");
 }
 
 struct Tool {
@@ -222,7 +225,7 @@ TEST_CASE("-help and -defaults follow from the declarations") {
     Tool t;
     const std::string help = t.table.help();
     for (const char* line : {
-             "usage: tool [options] file ...\nSome\n",
+             "usage: tool [options] file ...\nAs here:\n  tool file\nSome\n",
              "  -x n                Size (512).\n",
              "  -lw f               Weight in cd/m2 (1e-6).\n",
              "  -i[+-]              Irradiance (off).\n",
@@ -234,6 +237,11 @@ TEST_CASE("-help and -defaults follow from the declarations") {
              "  -help               Print the options.\n",
          })
         CHECK_MESSAGE(help.find(line) != std::string::npos, line);
+
+    const std::string theirs = "other's\n  -theirs n           Theirs (0).\n";
+    CHECK(t.table.help("other") == theirs + "Described in tool(1).\n");
+    CHECK(help.find(theirs) == std::string::npos);
+    CHECK(t.table.help("all").find(theirs) != std::string::npos);
 
     t.parse({"-x", "3", "-i", "-exec", "-Y", "2"});
     const std::string defaults = t.table.defaults();

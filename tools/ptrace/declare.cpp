@@ -150,6 +150,7 @@ void declare_messages(OptionTable& t, Options& opt) {
 // its animations and its files.
 void declare_rpicts(OptionTable& t) {
     using Scenes = OptionTable::Scenes;
+    t.group("", "rpict");
     t.ignored("-aa -ar -ad -as -aw -af -ai -aI -ae -aE -am", 1, Scenes::yes);
     t.ignored("-ap", 1, Scenes::yes, 2);  // a file and up to two bandwidths
     t.ignored("-dt -dc -ps -pt -pm -cs", 1, Scenes::yes);
@@ -174,5 +175,12 @@ void declare_options(OptionTable& t, Options& opt, std::optional<scene::RadInput
     declare_frames(t, opt, rad_input, assignments);
     declare_messages(t, opt);
     declare_rpicts(t);
+    t.examples(R"(In the folder examples/scenes/office:
+  ptrace -picture -x 256 -y 256 -vf view.vf materials.rad layout.rad sky_1400.rad > office.hdr
+  ptrace -frames 16 -vf view.vf materials.rad layout.rad sky_1400.rad | ptaccum -o office.png
+  ptrace -x 128 -y 128 -vf view.vf materials.rad layout.rad sky_1400.rad | ptaccum -every x2/4 |
+      vcmetrics -metrics Ev,DGPf -ci 95 -until 'DGPf 0.01'
+)");
     t.options_come_before("the scene files");
+    t.footer("Options of rpict that are read past: ptrace -help rpict.  ");
 }

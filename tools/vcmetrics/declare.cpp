@@ -141,5 +141,12 @@ void declare_options(OptionTable& t, Options& o, view::View& view) {
     t.group("General");
     t.add("-W[+-]", "Warnings", o.warnings);
     t.question("-v", "Print the version as well", [&t] { return t.version(); });
-    t.footer("Options of one letter are evalglare's.  ");
+    t.examples(R"(In the folder examples/scenes/office:
+  ptrace -x 128 -y 128 -vf view.vf materials.rad layout.rad sky_1400.rad |
+      ptaccum -every x2/4 -o office.exr -o - |
+      vcmetrics -metrics Ev,DGPf,classf -ci 95 -until 'DGPf 0.01'
+  vcmetrics -sources office.exr
+  vcmetrics -report office.html office.exr
+)");
+    t.footer("Options of one letter are evalglare's: vcmetrics -help evalglare.  ");
 }

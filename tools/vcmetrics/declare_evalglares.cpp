@@ -52,13 +52,13 @@ void read_zones(Arguments& a, glare::Settings& s, bool two) {
 
 void declare_sources(OptionTable& t, Options& o) {
     glare::Settings& s = o.settings;
-    t.group("evalglare's: glare sources");
+    t.group("evalglare's: glare sources", "evalglare");
     t.add("-b factor", "Threshold: factor of the task's or mean luminance; above 100, a luminance in cd/m2",
           s.threshold)
         .default_text("2000; 5 with a task");
     t.add("-t x y angle", "Task area: centre pixel, y from the bottom, and full opening angle in radians",
           [&](Arguments& a) { s.task = circle(a); });
-    t.add("-T x y angle", "The same", [&](Arguments& a) {
+    t.add("-T x y angle", "The task area of -t, painted in the check picture (-c)", [&](Arguments& a) {
         s.task = circle(a);
         o.evalglare.task_painted = true;
     });
@@ -81,7 +81,7 @@ void declare_sources(OptionTable& t, Options& o) {
 
 void declare_measures(OptionTable& t, glare::Settings& s) {
     using Model = glare::PositionModel;
-    t.group("evalglare's: what is measured");
+    t.group("evalglare's: what is measured", "evalglare");
     t.add("-G type", "Cut the field of view after Ev is taken: 1 total, 2 both eyes, 3 both eyes, weighted by 1/P",
           [&](Arguments& a) { s.field_cut = int(a.integer(base::within(1, 3))); });
     t.add("-q mode", "Background luminance: 0 from Ev - Edir, 1 mean outside the sources, 2 Ev/pi", s.background)
@@ -114,7 +114,7 @@ void declare_lines(OptionTable& t, Options& o) {
             variable = value;
         };
     };
-    t.group("evalglare's: its lines (each implies -like evalglare)");
+    t.group("evalglare's: its lines (each implies -like evalglare)", "evalglare");
     t.add("-d", "The detailed lines", implies(o.evalglare.detailed, true));
     t.add("-D", "The line with Ev and the largest luminance", implies(o.evalglare.dgp_and_ev, true));
     t.add("-V", "Print only Ev; the status is 1, as evalglare's", implies(o.evalglare.ev_only, true));
@@ -135,7 +135,7 @@ void read_colour(Arguments& a, evalglare::Settings& s) {
 }
 
 void declare_check_picture(OptionTable& t, Options& o) {
-    t.group("evalglare's: its check picture");
+    t.group("evalglare's: its check picture", "evalglare");
     t.add("-c file", "Write a grey picture with the sources, task (-T) and zones in colours", [&](Arguments& a) {
         o.check_file = a.text();
         display::require_writable_ending(o.check_file);
@@ -148,7 +148,7 @@ void declare_check_picture(OptionTable& t, Options& o) {
 void declare_refused(OptionTable& t) {
     const char* const pictures =
         "evalglare writes a picture here; vcmetrics only measures (pcomb and pvalue change pictures)";
-    t.group("evalglare's: not here");
+    t.group("evalglare's: not here", "evalglare");
     t.refuse("-a age", "Removed from evalglare: an error",
              "the age factor was removed from evalglare and is not supported here");
     for (const char* spelling : {"-m ...", "-M ...", "-N ...", "-O ..."})

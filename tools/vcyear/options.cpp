@@ -63,6 +63,12 @@ std::optional<int> parse_options(int argc, char** argv, Options& o) {
     t.add("-honeybee folder", "Write results as honeybee-radiance reads them", o.honeybee);
     t.group("Messages");
     t.add("-w[+-]", "Warnings", o.warnings);
+    t.examples(R"(In the folder examples/scenes/office, whose days.wea has a day of each season:
+  ptrace -wea days.wea -x 32 -y 32 -vf view.vf materials.rad layout.rad | ptaccum -every x2/8 |
+      vcmetrics -metrics Ev,DGPf,DGP.px,DGPf.px,pixels -ci 95 -last > days.tsv
+  vcyear days.tsv
+  vcyear -worst 3 -plot days.svg days.tsv
+)");
     t.options_come_before("the tables");
     const auto operands = t.parse(argc, argv);
     if (!operands) return 0;
