@@ -31,16 +31,123 @@ public:
           groups_(geometry, settings.search_opening),
           check_(lum, false) {}
     glare::Sources find(const Luminance& lum, const Luminance& classification_image, double threshold,
-                        const glare::PixelSets& sets);
+                        const glare::PixelSets& sets) {
+        runs_ = bright_runs(classification_image, geometry_, threshold);
+        const uint32_t patches = settings_.patches ? assign_patches(runs_, geometry_, *settings_.patches) : 0;
+        if (settings_.task && own_.task_painted) paint_task(check_, geometry_, *settings_.task);
+        connect(patches);
+        glare::Sources out;
+        out.direct_lux = own_.fast == 2 ? own_.fast_direct : light_of_groups();
+        paint_sources(check_, runs_, own_);
+        if (sets.band) {
+            out.sets.band = statistics(*sets.band);
+            paint_band(check_, *sets.band);
+        }
+        if (sets.mask) out.sets.mask = statistics(*sets.mask);
+        if (sets.zone1) out.sets.zone1 = statistics(*sets.zone1);
+        if (sets.zone2) out.sets.zone2 = statistics(*sets.zone2);
+        if (settings_.zones) {
+            out.before_zones = sums(lum);
+            out.runs_before_zones = runs_;
+            split_zones(lum);
+        }
+        out.sources = sums(lum);
+        out.runs = std::move(runs_);
+        return out;
+    }
 
 private:
     bool searches() const { return radius_px_ >= 1; }  // the search radius is at least a pixel
-    void connect(uint32_t patches);
-    void smooth();
-    double light_of_groups() const;
-    void split_zones(const Luminance& lum);
-    glare::PixelStatistics statistics(const std::vector<uint32_t>& pixels) const;
-    std::vector<GlareSource> sums(const Luminance& lum) const;
+    // The fast modes keep what the first scan found; so does a search radius of at most a pixel.
+    void connect(uint32_t patches) {
+        const bool wide = radius_px_ > 1;
+        if (settings_.patches) groups_.take(runs_, patches, check_);
+        else groups_.find(runs_, check_, wide, wide && !own_.fast);
+        runs_ = groups_.runs();
+        if (settings_.smooth && searches()) smooth();
+        if (settings_.peaks && searches()) groups_.extract_peaks(check_, settings_.peak_limit);
+        runs_ = groups_.runs();
+    }
+    void smooth() {
+        const std::vector<glare::Joining> joining = glare::smooth(runs_, geometry_, float(radius_px_ / 1.75));
+        for (size_t k = 0; k < joining.size(); ++k) {
+            const glare::Joining& j = joining[k];
+            const bool last_of_pixel = k + 1 == joining.size() || joining[k + 1].pixel != j.pixel;
+            if (last_of_pixel) groups_.add(j.pixel, j.group, check_);
+            else groups_.count_too(j.pixel, j.group, check_);
+        }
+    }
+    // If the whole picture is a source, evalglare's background is the rounding difference of two sums of the same
+    // light: therefore columns, and products in its order.
+    double light_of_groups() const {
+        const Geometry& g = geometry_;
+        const Vec3 forward = g.line_of_sight();
+        double lux = 0;
+        for (const glare::GroupPixel& p : glare::column_order(runs_, g))
+            lux += 179 * g.omega[p.pixel] * (check_.grey(p.pixel) * dot(forward, g.direction(p.pixel)));
+        return lux;
+    }
+    // Pixels inside a zone leave their group: one new group for each old group and zone.  evalglare credits the newest
+    // group with their light, and removes from the old one what it has painted.
+    void split_zones(const Luminance& lum) {
+        const glare::ZoneBorders borders(geometry_, *settings_.zones);
+        const std::vector<glare::GroupPixel> pixels = glare::column_order(runs_, geometry_);
+        std::vector<uint32_t> moved(2 * (groups_.count() + 1), 0);
+        zone_of_group_.assign(groups_.count() + 1, 0);
+        zoned_eye_lux_.assign(groups_.count() + 1, 0);
+        for (const glare::GroupPixel& p : pixels)
+            zoned_eye_lux_[p.group] += lum.at(p.pixel) * geometry_.omega_cos[p.pixel];
+        for (const glare::GroupPixel& p : pixels) {
+            const int zone = borders.zone_of(p.pixel);
+            if (!zone) continue;
+            uint32_t& target = moved[2 * p.group + (zone - 1)];
+            if (!target) {
+                target = groups_.open();
+                zone_of_group_.push_back(zone);
+                zoned_eye_lux_.push_back(0);
+            }
+            check_.paint(p.pixel, zone_paint[zone - 1]);
+            const double lux = check_.at(p.pixel) * geometry_.omega_cos[p.pixel];
+            zoned_eye_lux_[p.group] -= lux;
+            zoned_eye_lux_.back() += lux;
+            groups_.leave(p.pixel, check_);
+            groups_.join(p.pixel, target, check_);
+        }
+        runs_ = groups_.runs();
+    }
+    // A deviation that rounding carries below 0 is not a number.
+    glare::PixelStatistics statistics(const std::vector<uint32_t>& pixels) const {
+        glare::PixelStatistics s = statistics_of(
+            pixels, [&](size_t p) { return check_.at(p); }, geometry_);
+        if (!pixels.empty()) s.deviation = std::sqrt(s.variance);
+        return s;
+    }
+    std::vector<GlareSource> sums(const Luminance& lum) const {
+        const Geometry& g = geometry_;
+        std::vector<double> eye_lux(groups_.count() + 1, 0);
+        for (const Run& r : runs_)
+            for (uint32_t p = r.start; p < r.start + r.length; ++p) eye_lux[r.group] += lum.at(p) * g.omega_cos[p];
+        std::vector<GlareSource> live;
+        for (uint32_t group = 1; group <= groups_.count(); ++group) {
+            const GroupSums& sum = groups_.sums()[group];
+            if (!(sum.pixels > 0)) continue;
+            GlareSource s;
+            s.pixels = sum.pixels, s.omega = sum.omega, s.lum = sum.lum;
+            s.x = sum.x, s.y = sum.y, s.brightest = sum.brightest;
+            s.group = group;
+            s.zone = zone_of_group_.empty() ? 0 : zone_of_group_[group];
+            s.eye_lux = zoned_eye_lux_.empty() ? eye_lux[group] : zoned_eye_lux_[group];
+            // The position index belongs to the pixel of the centre narrowed to float (90.99999999999 becomes 91), the
+            // other directions to the pixel of the unrounded centre.
+            s.P = position_index(g, g.seen_direction(int(float(s.x)), int(float(s.y))), settings_.position);
+            s.direction = g.seen_direction(int(s.x), int(s.y));
+            s.sigma_deg = s.theta_deg = eye_angles(g, s.direction).sigma_deg;
+            // If the centre's pixel has no direction, evalglare keeps the angle of the source before.
+            if (length(s.direction) == 0) s.sigma_deg = live.empty() ? 0 : live.back().sigma_deg;
+            live.push_back(s);
+        }
+        return live;
+    }
 
     const Geometry& geometry_;
     const glare::Settings& settings_;
@@ -80,127 +187,6 @@ double reference_luminance(const Luminance& lum, const Geometry& g, const glare:
                            const Settings& own) {
     if (settings.task) return glare::task_luminance(lum, g, *settings.task, own.fast != 0);
     return own.fast ? settings.external_ev.value_or(0) / (2 * base::pi) : mean_lum;
-}
-
-glare::Sources SourceFinder::find(const Luminance& lum, const Luminance& classification_image, double threshold,
-                                  const glare::PixelSets& sets) {
-    runs_ = bright_runs(classification_image, geometry_, threshold);
-    const uint32_t patches = settings_.patches ? assign_patches(runs_, geometry_, *settings_.patches) : 0;
-    if (settings_.task && own_.task_painted) paint_task(check_, geometry_, *settings_.task);
-    connect(patches);
-    glare::Sources out;
-    out.direct_lux = own_.fast == 2 ? own_.fast_direct : light_of_groups();
-    paint_sources(check_, runs_, own_);
-    if (sets.band) {
-        out.sets.band = statistics(*sets.band);
-        paint_band(check_, *sets.band);
-    }
-    if (sets.mask) out.sets.mask = statistics(*sets.mask);
-    if (sets.zone1) out.sets.zone1 = statistics(*sets.zone1);
-    if (sets.zone2) out.sets.zone2 = statistics(*sets.zone2);
-    if (settings_.zones) {
-        out.before_zones = sums(lum);
-        out.runs_before_zones = runs_;
-        split_zones(lum);
-    }
-    out.sources = sums(lum);
-    out.runs = std::move(runs_);
-    return out;
-}
-
-// The fast modes keep what the first scan found; so does a search radius of at most a pixel.
-void SourceFinder::connect(uint32_t patches) {
-    const bool wide = radius_px_ > 1;
-    if (settings_.patches) groups_.take(runs_, patches, check_);
-    else groups_.find(runs_, check_, wide, wide && !own_.fast);
-    runs_ = groups_.runs();
-    if (settings_.smooth && searches()) smooth();
-    if (settings_.peaks && searches()) groups_.extract_peaks(check_, settings_.peak_limit);
-    runs_ = groups_.runs();
-}
-
-void SourceFinder::smooth() {
-    const std::vector<glare::Joining> joining = glare::smooth(runs_, geometry_, float(radius_px_ / 1.75));
-    for (size_t k = 0; k < joining.size(); ++k) {
-        const glare::Joining& j = joining[k];
-        const bool last_of_pixel = k + 1 == joining.size() || joining[k + 1].pixel != j.pixel;
-        if (last_of_pixel) groups_.add(j.pixel, j.group, check_);
-        else groups_.count_too(j.pixel, j.group, check_);
-    }
-}
-
-// If the whole picture is a source, evalglare's background is the rounding difference of two sums of the same light:
-// therefore columns, and products in its order.
-double SourceFinder::light_of_groups() const {
-    const Geometry& g = geometry_;
-    const Vec3 forward = g.line_of_sight();
-    double lux = 0;
-    for (const glare::GroupPixel& p : glare::column_order(runs_, g))
-        lux += 179 * g.omega[p.pixel] * (check_.grey(p.pixel) * dot(forward, g.direction(p.pixel)));
-    return lux;
-}
-
-// A deviation that rounding carries below 0 is not a number.
-glare::PixelStatistics SourceFinder::statistics(const std::vector<uint32_t>& pixels) const {
-    glare::PixelStatistics s = statistics_of(
-        pixels, [&](size_t p) { return check_.at(p); }, geometry_);
-    if (!pixels.empty()) s.deviation = std::sqrt(s.variance);
-    return s;
-}
-
-// Pixels inside a zone leave their group: one new group for each old group and zone.  evalglare credits the newest
-// group with their light, and removes from the old one what it has painted.
-void SourceFinder::split_zones(const Luminance& lum) {
-    const glare::ZoneBorders borders(geometry_, *settings_.zones);
-    const std::vector<glare::GroupPixel> pixels = glare::column_order(runs_, geometry_);
-    std::vector<uint32_t> moved(2 * (groups_.count() + 1), 0);
-    zone_of_group_.assign(groups_.count() + 1, 0);
-    zoned_eye_lux_.assign(groups_.count() + 1, 0);
-    for (const glare::GroupPixel& p : pixels) zoned_eye_lux_[p.group] += lum.at(p.pixel) * geometry_.omega_cos[p.pixel];
-    for (const glare::GroupPixel& p : pixels) {
-        const int zone = borders.zone_of(p.pixel);
-        if (!zone) continue;
-        uint32_t& target = moved[2 * p.group + (zone - 1)];
-        if (!target) {
-            target = groups_.open();
-            zone_of_group_.push_back(zone);
-            zoned_eye_lux_.push_back(0);
-        }
-        check_.paint(p.pixel, zone_paint[zone - 1]);
-        const double lux = check_.at(p.pixel) * geometry_.omega_cos[p.pixel];
-        zoned_eye_lux_[p.group] -= lux;
-        zoned_eye_lux_.back() += lux;
-        groups_.leave(p.pixel, check_);
-        groups_.join(p.pixel, target, check_);
-    }
-    runs_ = groups_.runs();
-}
-
-std::vector<GlareSource> SourceFinder::sums(const Luminance& lum) const {
-    const Geometry& g = geometry_;
-    std::vector<double> eye_lux(groups_.count() + 1, 0);
-    for (const Run& r : runs_)
-        for (uint32_t p = r.start; p < r.start + r.length; ++p) eye_lux[r.group] += lum.at(p) * g.omega_cos[p];
-    std::vector<GlareSource> live;
-    for (uint32_t group = 1; group <= groups_.count(); ++group) {
-        const GroupSums& sum = groups_.sums()[group];
-        if (!(sum.pixels > 0)) continue;
-        GlareSource s;
-        s.pixels = sum.pixels, s.omega = sum.omega, s.lum = sum.lum;
-        s.x = sum.x, s.y = sum.y, s.brightest = sum.brightest;
-        s.group = group;
-        s.zone = zone_of_group_.empty() ? 0 : zone_of_group_[group];
-        s.eye_lux = zoned_eye_lux_.empty() ? eye_lux[group] : zoned_eye_lux_[group];
-        // The position index belongs to the pixel of the centre narrowed to float (90.99999999999 becomes 91), the
-        // other directions to the pixel of the unrounded centre.
-        s.P = position_index(g, g.seen_direction(int(float(s.x)), int(float(s.y))), settings_.position);
-        s.direction = g.seen_direction(int(s.x), int(s.y));
-        s.sigma_deg = s.theta_deg = eye_angles(g, s.direction).sigma_deg;
-        // If the centre's pixel has no direction, evalglare keeps the angle of the source before.
-        if (length(s.direction) == 0) s.sigma_deg = live.empty() ? 0 : live.back().sigma_deg;
-        live.push_back(s);
-    }
-    return live;
 }
 
 }  // namespace

@@ -93,7 +93,26 @@ struct RoundedBox {
 class Pieces {
 public:
     Pieces(const RoundedBox& box, int segments) : box_(box), segments_(segments) {}
-    void write(bool smooth);
+    void write(bool smooth) {
+        for (const auto& e : round_edges) edge(e[0] & 7, e[1] & 7);
+        for (int k = 0; k < 8; k++) {
+            const bool mirrored = (k ^ k >> 1 ^ k >> 2) & 1;
+            const int first = mirrored ? 060 : 050, second = mirrored ? 050 : 060;
+            corner(k, toward(k, first), toward(k, second), toward(k, 030), segments_);
+        }
+        std::reverse(edges_.begin(), edges_.end());
+        if (!smooth) {
+            std::reverse(corners_.begin(), corners_.end());
+            std::swap(edges_, corners_);
+        }
+        for (const Piece& p : edges_) put(p, smooth);
+        for (const Piece& p : corners_) put(p, smooth);
+        for (size_t f = 6; f-- > 0;) {
+            Piece p;
+            for (int code : faces[f]) p.push_back({box_.vertex(code), {}});
+            put(p, false);
+        }
+    }
 
 private:
     struct Point {
@@ -108,80 +127,53 @@ private:
     base::Vec3 toward(int corner, int side) const {
         return unit(box_.vertex(corner | side) - box_.vertex(corner | 070));
     }
-    void edge(int p, int q);
-    void corner(int corner, base::Vec3 a, base::Vec3 b, base::Vec3 c, int segments);
-    void put(const Piece& piece, bool smooth);
+    // Between corners p and q, a strip around their common axis.
+    void edge(int p, int q) {
+        const int axis = p ^ q,
+                  from = axis == 1   ? 030
+                         : axis == 2 ? 060
+                                     : 050,
+                  to = axis == 1   ? 050
+                       : axis == 2 ? 030
+                                   : 060;
+        std::vector<base::Vec3> arc{toward(p, from), toward(p, to)};
+        for (int n = 1; n < segments_; n *= 2) {
+            std::vector<base::Vec3> finer{arc[0]};
+            for (size_t i = 1; i < arc.size(); i++) finer.insert(finer.end(), {unit(arc[i - 1] + arc[i]), arc[i]});
+            arc = finer;
+        }
+        for (size_t i = 1; i < arc.size(); i++)
+            edges_.push_back({on_ball(p, arc[i - 1]), on_ball(q, arc[i - 1]), on_ball(q, arc[i]), on_ball(p, arc[i])});
+    }
+    void corner(int at, base::Vec3 a, base::Vec3 b, base::Vec3 c, int segments) {
+        if (segments == 1) return corners_.push_back({on_ball(at, a), on_ball(at, b), on_ball(at, c)});
+        const base::Vec3 ab = unit(a + b), bc = unit(b + c), ca = unit(c + a);
+        corner(at, a, ab, ca, segments / 2);
+        corner(at, b, bc, ab, segments / 2);
+        corner(at, c, ca, bc, segments / 2);
+        corner(at, ab, bc, ca, segments / 2);
+    }
+    void put(const Piece& piece, bool smooth) {
+        const auto name = [&] { return box_.name + "." + std::to_string(++written_); };
+        if (!smooth) {
+            std::vector<base::Vec3> v;
+            for (const Point& q : piece) v.push_back(q.p);
+            return write_polygon(*box_.out, box_.material, name(), v);
+        }
+        // A quadrilateral is cut from its second to its last corner.
+        const size_t n = piece.size();
+        for (size_t first : {n == 4 ? 1 : 0, 3}) {
+            if (first >= n) break;
+            const Point &a = piece[first], &b = piece[(first + 1) % n], &c = piece[(first + 2) % n];
+            write_smooth_triangle(*box_.out, box_.material, name(), {a.p, b.p, c.p}, {a.normal, b.normal, c.normal});
+        }
+    }
 
     const RoundedBox& box_;
     const int segments_;
     std::vector<Piece> edges_, corners_;
     int written_ = 0;
 };
-
-// Between corners p and q, a strip around their common axis.
-void Pieces::edge(int p, int q) {
-    const int axis = p ^ q,
-              from = axis == 1   ? 030
-                     : axis == 2 ? 060
-                                 : 050,
-              to = axis == 1   ? 050
-                   : axis == 2 ? 030
-                               : 060;
-    std::vector<base::Vec3> arc{toward(p, from), toward(p, to)};
-    for (int n = 1; n < segments_; n *= 2) {
-        std::vector<base::Vec3> finer{arc[0]};
-        for (size_t i = 1; i < arc.size(); i++) finer.insert(finer.end(), {unit(arc[i - 1] + arc[i]), arc[i]});
-        arc = finer;
-    }
-    for (size_t i = 1; i < arc.size(); i++)
-        edges_.push_back({on_ball(p, arc[i - 1]), on_ball(q, arc[i - 1]), on_ball(q, arc[i]), on_ball(p, arc[i])});
-}
-
-void Pieces::corner(int at, base::Vec3 a, base::Vec3 b, base::Vec3 c, int segments) {
-    if (segments == 1) return corners_.push_back({on_ball(at, a), on_ball(at, b), on_ball(at, c)});
-    const base::Vec3 ab = unit(a + b), bc = unit(b + c), ca = unit(c + a);
-    corner(at, a, ab, ca, segments / 2);
-    corner(at, b, bc, ab, segments / 2);
-    corner(at, c, ca, bc, segments / 2);
-    corner(at, ab, bc, ca, segments / 2);
-}
-
-void Pieces::put(const Piece& piece, bool smooth) {
-    const auto name = [&] { return box_.name + "." + std::to_string(++written_); };
-    if (!smooth) {
-        std::vector<base::Vec3> v;
-        for (const Point& q : piece) v.push_back(q.p);
-        return write_polygon(*box_.out, box_.material, name(), v);
-    }
-    // A quadrilateral is cut from its second to its last corner.
-    const size_t n = piece.size();
-    for (size_t first : {n == 4 ? 1 : 0, 3}) {
-        if (first >= n) break;
-        const Point &a = piece[first], &b = piece[(first + 1) % n], &c = piece[(first + 2) % n];
-        write_smooth_triangle(*box_.out, box_.material, name(), {a.p, b.p, c.p}, {a.normal, b.normal, c.normal});
-    }
-}
-
-void Pieces::write(bool smooth) {
-    for (const auto& e : round_edges) edge(e[0] & 7, e[1] & 7);
-    for (int k = 0; k < 8; k++) {
-        const bool mirrored = (k ^ k >> 1 ^ k >> 2) & 1;
-        const int first = mirrored ? 060 : 050, second = mirrored ? 050 : 060;
-        corner(k, toward(k, first), toward(k, second), toward(k, 030), segments_);
-    }
-    std::reverse(edges_.begin(), edges_.end());
-    if (!smooth) {
-        std::reverse(corners_.begin(), corners_.end());
-        std::swap(edges_, corners_);
-    }
-    for (const Piece& p : edges_) put(p, smooth);
-    for (const Piece& p : corners_) put(p, smooth);
-    for (size_t f = 6; f-- > 0;) {
-        Piece p;
-        for (int code : faces[f]) p.push_back({box_.vertex(code), {}});
-        put(p, false);
-    }
-}
 
 }  // namespace
 

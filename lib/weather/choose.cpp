@@ -71,19 +71,128 @@ public:
         leap_ = std::any_of(w.hours.begin(), w.hours.end(),
                             [](const Hour& h) { return h.time.date.in_leap_year() == leap_day; });
     }
-    void read(const std::string& word);
-    void finish();  // all words are read
-    bool uses(const Hour& hour) const;
+    void read(const std::string& word) {
+        if (word[0] == '@') {
+            Schedule s = read_schedule(word.substr(1), weather_, used_from_);
+            if (s.minutes.empty()) return schedules_.push_back(std::move(s));
+            minutes_.insert(s.minutes.begin(), s.minutes.end());
+            return;
+        }
+        if (word == "all") return;
+        if (word == "dst" || base::begins_with(word, "dst=")) return read_summer_time(word);
+        if (const size_t slash = word.find('/'); slash != std::string::npos) return read_share(word, slash);
+        const size_t dash = word.find('-');
+        const bool known =
+            dash == std::string::npos ? read_name(word) : read_span(word.substr(0, dash), word.substr(dash + 1));
+        if (const auto time = clock_hour(word); !known && time && *time < 24)
+            base::fail(option, fmt::format("\"{0}\" is a moment; hours are a span, as {0}-{1}", word,
+                                           std::to_string(int(*time) + 1) +
+                                               word.substr(std::min(word.find(':'), word.size()))));
+        if (!known)
+            base::fail(option,
+                       "\"" + base::excerpt(word) +
+                           "\" is no day (Mo-Fr), month (Jun), time (8-18), date (21Jun), share (3/16) or @file");
+    }
+    // When all words are read.
+    void finish() {
+        if (!summer_[0]) return;
+        const auto day = [&](const DayRule& rule) { return double(rule.date(first_weekday_, leap_).in_leap_year()); };
+        summer_days_ = {day(*summer_[0]), day(*summer_[1])};
+    }
+    // By the clock, but for names, which are in standard time.
+    bool uses(const Hour& h) const {
+        int day = h.time.date.in_leap_year();
+        double hour = h.time.hour;
+        if (summer_[0] && summer_days_.holds(day)) hour += 1;
+        if (hour >= 24) {
+            hour -= 24;
+            day = day == 366 ? 1 : day + 1;
+            if (day == leap_day && !leap_) ++day;
+        }
+        const Date date = date_of(day);
+        const int weekday = (first_weekday_ + (leap_ ? day : date.of_year()) - 1) % 7;
+        const auto in = [](const std::vector<Span>& spans, double x) {
+            return spans.empty() || std::any_of(spans.begin(), spans.end(), [&](const Span& s) { return s.holds(x); });
+        };
+        return in(weekdays_, weekday) && in(months_, date.month - 1) && in(days_, day) && in(hours_, hour + 1e-6) &&
+               (minutes_.empty() || minutes_.count(h.time.minute_of_year())) &&
+               std::all_of(schedules_.begin(), schedules_.end(),
+                           [&](const Schedule& s) { return s.used[size_t(24 * (day - 1) + int(hour + 1e-6))]; });
+    }
     bool names(const Hour& hour) const { return named_.count(hour.time.minute_of_year()) > 0; }
-    std::vector<size_t> share(std::vector<size_t> hours) const;
-    std::string note() const;
+    std::vector<size_t> share(std::vector<size_t> hours) const {
+        const size_t n = hours.size();
+        return {hours.begin() + long((part_ - 1) * n / parts_), hours.begin() + long(part_ * n / parts_)};
+    }
+    std::string note() const {
+        std::string text = fmt::format("1 January is a {}, standard time is UTC{:+g}", weekday_name(first_weekday_),
+                                       -weather_.meridian_deg / 15 + 0.);
+        if (summer_[0])
+            text += fmt::format(", the clock is an hour ahead from {} to {}", day_text(date_of(int(summer_days_.from))),
+                                day_text(date_of(int(summer_days_.to))));
+        return text;
+    }
     int year() const { return year_; }
 
 private:
-    bool read_span(const std::string& from, const std::string& to);
-    bool read_name(const std::string& word);
-    void read_summer_time(const std::string& word);
-    void read_share(const std::string& word, size_t slash);
+    // A span has its last name in it, but for hours of the clock, which are times.
+    bool read_span(const std::string& from, const std::string& to) {
+        const auto add = [](std::vector<Span>& spans, double a, double b, double size) {
+            spans.push_back(b + 1 == a ? Span{0, size + 1} : Span{a, b + 1});  // "We-Tu" is every day
+            return true;
+        };
+        if (const auto a = weekday_named(from), b = weekday_named(to); a && b) return add(weekdays_, *a, *b, 7);
+        if (const auto a = month_named(from), b = month_named(to); a && b) return add(months_, *a, *b, 12);
+        if (const auto a = date_named(from), b = date_named(to); a && b)
+            return add(days_, a->in_leap_year(), b->in_leap_year(), 366);
+        const auto a = clock_hour(from), b = clock_hour(to);
+        if (a && b && *a != *b) hours_.push_back({*a, *b});
+        return a && b && *a != *b;
+    }
+    bool read_name(const std::string& word) {
+        if (weekday_named(word) || month_named(word)) return read_span(word, word);
+        if (const auto t = parse_name(word); t && t->hour >= 0) {
+            const auto minute = weather_.minute_named(*t);
+            if (!minute) base::fail(option, word + " is not an hour of " + weather_.path);
+            minutes_.insert(*minute);
+            named_.insert(*minute);
+            return true;
+        }
+        if (date_named(word)) return read_span(word, word);
+        long long year = 0;
+        if (!base::parse_integer(word, year) || year < 1900 || year > 2999) return false;
+        year_ = int(year);
+        first_weekday_ = weekday_of_1_january(year_);
+        leap_ = year % 4 == 0 && (year % 100 != 0 || year % 400 == 0);
+        return true;
+    }
+    void read_summer_time(const std::string& word) {
+        if (word == "dst") {
+            const std::string& from = weather_.summer_time[0];
+            if (from.empty())
+                base::fail(option, weather_.path + " states no daylight saving; say its dates: dst=29Mar-25Oct");
+            for (int k : {0, 1}) {
+                const std::string& text = weather_.summer_time[k];
+                summer_[k] = parse_day_rule(text);
+                if (!summer_[k])
+                    base::fail(option, weather_.path + ": daylight saving: \"" + base::excerpt(text) +
+                                           "\" is no date; say its dates: dst=29Mar-25Oct");
+            }
+            return;
+        }
+        const size_t dash = word.find('-');
+        const auto from = date_named(word.substr(4, dash - 4));
+        const auto to = dash == std::string::npos ? std::nullopt : date_named(word.substr(dash + 1));
+        if (!from || !to) base::fail(option, "\"" + base::excerpt(word) + "\" is not like dst=29Mar-25Oct");
+        summer_[0] = DayRule{from->month, from->day}, summer_[1] = DayRule{to->month, to->day};
+    }
+    void read_share(const std::string& word, size_t slash) {
+        long long part = 0, parts = 0;
+        if (!base::parse_integer(word.substr(0, slash), part) || !base::parse_integer(word.substr(slash + 1), parts) ||
+            part < 1 || part > parts || parts > 1000000)
+            base::fail(option, "\"" + base::excerpt(word) + "\" is not a share such as 3/16");
+        part_ = size_t(part), parts_ = size_t(parts);
+    }
 
     const Weather& weather_;
     std::optional<double> used_from_;
@@ -96,131 +205,6 @@ private:
     Span summer_days_{0, 0};
     size_t part_ = 1, parts_ = 1;
 };
-
-// A span has its last name in it, but for hours of the clock, which are times.
-bool HourWords::read_span(const std::string& from, const std::string& to) {
-    const auto add = [](std::vector<Span>& spans, double a, double b, double size) {
-        spans.push_back(b + 1 == a ? Span{0, size + 1} : Span{a, b + 1});  // "We-Tu" is every day
-        return true;
-    };
-    if (const auto a = weekday_named(from), b = weekday_named(to); a && b) return add(weekdays_, *a, *b, 7);
-    if (const auto a = month_named(from), b = month_named(to); a && b) return add(months_, *a, *b, 12);
-    if (const auto a = date_named(from), b = date_named(to); a && b)
-        return add(days_, a->in_leap_year(), b->in_leap_year(), 366);
-    const auto a = clock_hour(from), b = clock_hour(to);
-    if (a && b && *a != *b) hours_.push_back({*a, *b});
-    return a && b && *a != *b;
-}
-
-bool HourWords::read_name(const std::string& word) {
-    if (weekday_named(word) || month_named(word)) return read_span(word, word);
-    if (const auto t = parse_name(word); t && t->hour >= 0) {
-        const auto minute = weather_.minute_named(*t);
-        if (!minute) base::fail(option, word + " is not an hour of " + weather_.path);
-        minutes_.insert(*minute);
-        named_.insert(*minute);
-        return true;
-    }
-    if (date_named(word)) return read_span(word, word);
-    long long year = 0;
-    if (!base::parse_integer(word, year) || year < 1900 || year > 2999) return false;
-    year_ = int(year);
-    first_weekday_ = weekday_of_1_january(year_);
-    leap_ = year % 4 == 0 && (year % 100 != 0 || year % 400 == 0);
-    return true;
-}
-
-void HourWords::read_summer_time(const std::string& word) {
-    if (word == "dst") {
-        const std::string& from = weather_.summer_time[0];
-        if (from.empty())
-            base::fail(option, weather_.path + " states no daylight saving; say its dates: dst=29Mar-25Oct");
-        for (int k : {0, 1}) {
-            const std::string& text = weather_.summer_time[k];
-            summer_[k] = parse_day_rule(text);
-            if (!summer_[k])
-                base::fail(option, weather_.path + ": daylight saving: \"" + base::excerpt(text) +
-                                       "\" is no date; say its dates: dst=29Mar-25Oct");
-        }
-        return;
-    }
-    const size_t dash = word.find('-');
-    const auto from = date_named(word.substr(4, dash - 4));
-    const auto to = dash == std::string::npos ? std::nullopt : date_named(word.substr(dash + 1));
-    if (!from || !to) base::fail(option, "\"" + base::excerpt(word) + "\" is not like dst=29Mar-25Oct");
-    summer_[0] = DayRule{from->month, from->day}, summer_[1] = DayRule{to->month, to->day};
-}
-
-void HourWords::finish() {
-    if (!summer_[0]) return;
-    const auto day = [&](const DayRule& rule) { return double(rule.date(first_weekday_, leap_).in_leap_year()); };
-    summer_days_ = {day(*summer_[0]), day(*summer_[1])};
-}
-
-void HourWords::read_share(const std::string& word, size_t slash) {
-    long long part = 0, parts = 0;
-    if (!base::parse_integer(word.substr(0, slash), part) || !base::parse_integer(word.substr(slash + 1), parts) ||
-        part < 1 || part > parts || parts > 1000000)
-        base::fail(option, "\"" + base::excerpt(word) + "\" is not a share such as 3/16");
-    part_ = size_t(part), parts_ = size_t(parts);
-}
-
-void HourWords::read(const std::string& word) {
-    if (word[0] == '@') {
-        Schedule s = read_schedule(word.substr(1), weather_, used_from_);
-        if (s.minutes.empty()) return schedules_.push_back(std::move(s));
-        minutes_.insert(s.minutes.begin(), s.minutes.end());
-        return;
-    }
-    if (word == "all") return;
-    if (word == "dst" || base::begins_with(word, "dst=")) return read_summer_time(word);
-    if (const size_t slash = word.find('/'); slash != std::string::npos) return read_share(word, slash);
-    const size_t dash = word.find('-');
-    const bool known =
-        dash == std::string::npos ? read_name(word) : read_span(word.substr(0, dash), word.substr(dash + 1));
-    if (const auto time = clock_hour(word); !known && time && *time < 24)
-        base::fail(option,
-                   fmt::format("\"{0}\" is a moment; hours are a span, as {0}-{1}", word,
-                               std::to_string(int(*time) + 1) + word.substr(std::min(word.find(':'), word.size()))));
-    if (!known)
-        base::fail(option, "\"" + base::excerpt(word) +
-                               "\" is no day (Mo-Fr), month (Jun), time (8-18), date (21Jun), share (3/16) or @file");
-}
-
-// By the clock, but for names, which are in standard time.
-bool HourWords::uses(const Hour& h) const {
-    int day = h.time.date.in_leap_year();
-    double hour = h.time.hour;
-    if (summer_[0] && summer_days_.holds(day)) hour += 1;
-    if (hour >= 24) {
-        hour -= 24;
-        day = day == 366 ? 1 : day + 1;
-        if (day == leap_day && !leap_) ++day;
-    }
-    const Date date = date_of(day);
-    const int weekday = (first_weekday_ + (leap_ ? day : date.of_year()) - 1) % 7;
-    const auto in = [](const std::vector<Span>& spans, double x) {
-        return spans.empty() || std::any_of(spans.begin(), spans.end(), [&](const Span& s) { return s.holds(x); });
-    };
-    return in(weekdays_, weekday) && in(months_, date.month - 1) && in(days_, day) && in(hours_, hour + 1e-6) &&
-           (minutes_.empty() || minutes_.count(h.time.minute_of_year())) &&
-           std::all_of(schedules_.begin(), schedules_.end(),
-                       [&](const Schedule& s) { return s.used[size_t(24 * (day - 1) + int(hour + 1e-6))]; });
-}
-
-std::vector<size_t> HourWords::share(std::vector<size_t> hours) const {
-    const size_t n = hours.size();
-    return {hours.begin() + long((part_ - 1) * n / parts_), hours.begin() + long(part_ * n / parts_)};
-}
-
-std::string HourWords::note() const {
-    std::string text = fmt::format("1 January is a {}, standard time is UTC{:+g}", weekday_name(first_weekday_),
-                                   -weather_.meridian_deg / 15 + 0.);
-    if (summer_[0])
-        text += fmt::format(", the clock is an hour ahead from {} to {}", day_text(date_of(int(summer_days_.from))),
-                            day_text(date_of(int(summer_days_.to))));
-    return text;
-}
 
 }  // namespace
 
