@@ -9,11 +9,13 @@ set(CPACK_PACKAGE_NAME luxpipe)
 set(CPACK_PACKAGE_VERSION ${LUXPIPE_VERSION_TEXT})
 set(CPACK_PACKAGE_CONTACT ${LUXPIPE_MAINTAINER})
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "visual comfort of a daylit room by path tracing")
-set(CPACK_DEBIAN_PACKAGE_DESCRIPTION "Four programs on one pipe.  ptrace renders a RADIANCE scene by path
-tracing, frame after frame, on the processor or by OpenCL; ptaccum sums the
-frames to a picture that gets better with each; vcmetrics measures glare,
-illuminance, luminance and contrast in it until they have settled; vcregion
-draws the regions that it measures.")
+set(CPACK_DEBIAN_PACKAGE_DESCRIPTION "Seven programs, most of them on one pipe.  ptrace renders a RADIANCE
+scene by path tracing, frame after frame, on the processor or by OpenCL;
+ptaccum sums the frames to a picture that gets better with each; vcmetrics
+measures glare, illuminance, luminance and contrast in it until they have
+settled; vcregion draws the regions that it measures; vcyear sums up the
+hours of a year; vcview shows all this in a browser, where luxpipe-live lets
+the scene be edited.")
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)

@@ -30,6 +30,16 @@ check 'the compiler is that of the rest' '
     configure plain
     compiler=$(sed -n "s/^CMAKE_CXX_COMPILER:[A-Z]*=//p" plain.build/CMakeCache.txt)
     all plain "$compiler .* -O3 -DNDEBUG "'
+installed() {
+    find plain.build -name cmake_install.cmake -exec \
+        sed -nE 's,.* TYPE (EXECUTABLE|PROGRAM) FILES ".*/([a-z-]+)".*,\2,p' {} + | sort -u
+}
+check 'the description of the package names each program that is installed, and counts them' '
+    installed > programs; grep -qx luxpipe-live programs
+    sed -n "/CPACK_DEBIAN_PACKAGE_DESCRIPTION/,/\")/p" plain.build/CPackConfig.cmake > description
+    while read -r program; do grep -qw "$program" description; done < programs
+    numbers=(no one two three four five six seven eight nine ten)
+    grep -qi "${numbers[$(wc -l < programs)]} programs" description'
 if command -v clang++ > /dev/null; then
     check 'another compiler makes them by choice, with the same flags' '
         CXXFLAGS=-fstack-protector-strong configure chosen -DLUXPIPE_KERNEL_CXX=clang++
