@@ -146,7 +146,7 @@ public:
     // An option of another program that is named to refuse it, with the reason.  Without a sentence -help is silent.
     void refuse(Text spelling, Text sentence, Text reason);
 
-    // Options of another program, a blank between two, that are read past with their arguments: so many words, then
+    // Options of another program, a blank between two, that are read past with their arguments: `arguments` words, then
     // up to `numbers` whole numbers.
     enum class Scenes { no, yes };
     void ignored(Text names, size_t arguments, Scenes scenes, size_t numbers = 0);

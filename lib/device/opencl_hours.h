@@ -7,7 +7,7 @@
 
 namespace device {
 
-// The paths of a pass, at most so many at once.
+// The paths of a pass, at most `most_paths` at once.
 void opencl_hours(OpenclPaths& paths, const kernels::Params& par, uint32_t most_paths, HourPaths& out);
 
 }  // namespace device

@@ -12,7 +12,7 @@
 namespace flatten {
 
 struct Room {
-    size_t objects = 0;                           // so many of the scene's
+    size_t objects = 0;                           // number of the scene's
     FlatScene tables;                             // with sources that are surfaces, and no others
     ModifierLists modifiers;                      // of the objects
     std::map<std::string, uint32_t> arena_files;  // cal::Code.tables

@@ -32,7 +32,7 @@ PointLayout lay_out(const std::vector<image::Point>& points);
 std::vector<kernels::PointRay> point_rays(const PointList& list, const PointLayout& layout,
                                           const flatten::FlatScene& scene);
 
-// From pixels of the layout to those of the points' picture, which has room for so many; 3 floats each.
+// Reorders layout pixels into a points' picture of `pixels` pixels; 3 floats each.
 std::vector<float> in_order(const PointLayout& layout, const std::vector<float>& rgb, size_t pixels);
 
 }  // namespace render

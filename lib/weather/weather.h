@@ -33,7 +33,7 @@ struct Weather {
     int first_weekday = 6;                                         // of 1 January, 0: Monday
     std::string summer_time[2];  // daylight saving from and to this day, as the file has it; empty: not stated
     std::vector<Hour> hours;     // by date, whatever the order of the lines
-    double shift_h = 0;          // -wea-shift: the sun is where it stands so many hours later
+    double shift_h = 0;          // -wea-shift: moves the sun to where it stands this much later
 
     // Of the sun: hours later are degrees west.
     double sun_meridian_deg() const { return meridian_deg + 15 * shift_h; }

@@ -86,7 +86,7 @@ void declare_pictures(OptionTable& t, Options& opt) {
     t.add("-occupied f", "Value of a schedule (-hours @file) from which an hour counts", [&](Arguments& a) {
          opt.hour_options.used_from = a.real(base::within(0, 1e9));
      }).default_text("0.1; of Daysim's anything above 0");
-    t.add("-wea-shift h", "The sun of -wea is where it stands so many hours later", opt.hour_options.shift_h)
+    t.add("-wea-shift h", "Move the sun of -wea to where it stands h hours later", opt.hour_options.shift_h)
         .within(-12, 12);
     t.add("-second-sky[+-]", "A scene may have a sun or a sky beside that of -wea or -sky", opt.second_sky);
 }
@@ -108,7 +108,7 @@ void declare_frames(OptionTable& t, Options& opt, std::optional<scene::RadInput>
      }).default_text("endless");
     t.add("-picture", "One ordinary picture, the sum of the frames (64 without -frames), as rpict writes it",
           opt.one_picture);
-    t.add("-pixel x,y", "Tables of what this pixel's light is made of, in place of frames; 0,0 is the lower left one",
+    t.add("-pixel x,y", "Break down the light of one pixel, in place of frames; 0,0 is the lower left one",
           [&](Arguments& a) { read_pixel(a.text(), opt); });
     t.add("-seed n", "Seed of the random numbers", opt.render.seed).at_least(0);
     t.add("-focus file", "More samples for these regions: masks of vcregion(1), or a file of vcregion(5)",

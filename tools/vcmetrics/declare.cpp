@@ -49,10 +49,11 @@ void declare_output(OptionTable& t, Options& o) {
     t.add("-report file", "Write a report of the last picture, for people (.html)", o.report_file);
     t.add("-scene file", "Scene of the report, which then says what is seen at glare sources; may be repeated",
           [&](Arguments& a) { o.scene.push_back(a.text()); });
-    t.add("-overlay file text", "In this file of the scene the text of the second file counts", [&](Arguments& a) {
-        const std::string file = a.text();
-        o.overlays.emplace_back(file, a.text());
-    });
+    t.add("-overlay file text", "Read the second file in place of the first one, a file of the scene",
+          [&](Arguments& a) {
+              const std::string file = a.text();
+              o.overlays.emplace_back(file, a.text());
+          });
     t.add("-plan map numbers", "Maps of the report (-over map.svg of points), with the last line of their table",
           [&](Arguments& a) { o.plan_map = a.text(), o.plan_numbers = a.text(); });
     t.add("-numbers file", "Numbers of the report: the last line of this table of vcmetrics", o.numbers_file);

@@ -45,8 +45,7 @@ std::optional<int> parse_options(int argc, char** argv, Options& o) {
                                   {"jsonl", report::TableFormat::jsonl}}));
     t.add("-ci percent", "Probability that an interval holds the truth", o.percent).within(50, 99.9);
     t.add("-view name", "Only this view", o.view).default_text("all");
-    t.add("-worst n", "Print the worst hours of each view, so many, with a command that shows each", o.worst)
-        .at_least(0);
+    t.add("-worst n", "Print the n worst hours of each view, with a command that shows each", o.worst).at_least(0);
     t.add("-command words", "Command that shows a view's hours, in front of -hours", o.command);
     t.add("-next", "Print the hours to render again so that the class is decided, with their frames and size", o.next);
     t.group("Shades");
