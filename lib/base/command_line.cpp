@@ -45,11 +45,11 @@ std::string lower(std::string text) {
 
 }  // namespace
 
-// A cursor over words.  scene_file: where they stand if a scene gives them, not the user: they see no environment, and
-// an @file must be an ordinary file.
+// A cursor over words.  by: for @files; its place is where the words stand if a scene gives them, not the user: they
+// see no environment, and an @file must be an ordinary file.
 struct ArgCursor {
     std::vector<std::string> words;
-    std::string scene_file = "";
+    Opener by;
     size_t at = 0;
     int expansions = 0;
 
@@ -62,9 +62,9 @@ struct ArgCursor {
         const std::string name = word().substr(1);
         if (word()[0] == '@') {
             constexpr size_t limit = size_t(1) << 20;
-            return read_text_file(scene_file.empty() ? name : beside(name, scene_file + ":1"), limit, scene_file);
+            return read_text_file(by.place.empty() ? name : beside(name, by.place + ":1"), limit, by);
         }
-        if (!scene_file.empty()) fail(scene_file, "a scene's file may not ask for an environment variable");
+        if (!by.place.empty()) fail(by.place, "a scene's file may not ask for an environment variable");
         if (const char* value = std::getenv(name.c_str())) return value;
         fail(word(), "environment variable is not set");
     }
@@ -117,14 +117,14 @@ bool OptionTable::read(ArgCursor& words) {
     if (words.left() && std::find(o.may_follow.begin(), end, words.word()) != end)
         arguments.push_back(words.words[words.at++]);
 
-    const bool users = words.scene_file.empty();
-    if (users || o.scene != Option::Scene::passed_over) carry_out(o, arguments, words.scene_file);
+    const bool users = words.by.place.empty();
+    if (users || o.scene != Option::Scene::passed_over) carry_out(o, arguments, words.by);
     if (users) parsed_.push_back({&o, {words.words.begin() + long(from), words.words.begin() + long(words.at)}});
     return true;
 }
 
 std::optional<std::vector<std::string>> OptionTable::parse(int argc, char** argv) {
-    ArgCursor words{{argv + std::min(argc, 1), argv + argc}};
+    ArgCursor words{{argv + std::min(argc, 1), argv + argc}, {"", nullptr, &files_read_}};
     std::vector<std::string> operands;
     bool operands_only = false;  // after "--"
 
@@ -148,13 +148,13 @@ std::optional<std::vector<std::string>> OptionTable::parse(int argc, char** argv
 }
 
 void OptionTable::read_words(const std::vector<std::string>& list) {
-    for (ArgCursor words{list}; words.more();)
+    for (ArgCursor words{list, {"", nullptr, &files_read_}}; words.more();)
         if (!read(words)) unknown(words.word());
 }
 
 // A word may come from any file that an @file names, so only its first letters are shown.
 void OptionTable::read_scene_words(const std::vector<std::string>& list, Text file) {
-    for (ArgCursor words{list, file}; words.more(); read(words)) {
+    for (ArgCursor words{list, {file, nullptr, &files_read_}}; words.more(); read(words)) {
         const Option* option = find(words.word()).option;
         if (option && option->scene != Option::Scene::refused) continue;
         if (!words.is_option()) fail(file, "holds a word where an option is expected: a scene may give options only");
@@ -165,7 +165,7 @@ void OptionTable::read_scene_words(const std::vector<std::string>& list, Text fi
 bool OptionTable::read_header_words(const std::vector<std::string>& list, std::string& wrong) {
     parsed_.clear();
     wrong.clear();
-    for (ArgCursor words{list}; words.left();) {
+    for (ArgCursor words{list, {}}; words.left();) {
         const size_t next = words.at + 1;
         try {
             if (!read(words)) words.at = next;

@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <cstdlib>
 #include "base/error.h"
-#include "base/files_read.h"
-#include "base/open_file.h"
 #include "base/same_content.h"
 #include "base/printable.h"
 #include "base/split.h"
@@ -36,10 +34,10 @@ void search_beside(const std::vector<std::string>& files, ReadOptions& options) 
     }
 }
 
-static bool readable(const std::string& path) {
+static bool readable(const std::string& path, const ReadOptions& options) {
     struct stat s;
     const bool good = stat(path.c_str(), &s) == 0 && S_ISREG(s.st_mode) && access(path.c_str(), R_OK) == 0;
-    if (!good) note_file_missed(path);
+    if (!good) note_file_missed(*options.read, path);
     return good;
 }
 
@@ -48,7 +46,7 @@ static std::string beside_scene(const std::string& name, const ReadOptions& opti
         std::string folder = start;
         for (int above = 0; above <= most_above; above++) {
             const std::string path = folder + "/" + name;
-            if (readable(path)) return path;
+            if (readable(path, options)) return path;
             const size_t slash = folder.rfind('/');
             if (name.find('/') == std::string::npos || slash == std::string::npos || ends_with(folder, "..")) break;
             folder.resize(slash);
@@ -64,13 +62,13 @@ static std::string along_raypath(const std::string& name, const ReadOptions& opt
         const char* home = std::getenv("HOME");
         if (slash != 1 || !home) return "";
         const std::string path = home + name.substr(slash);
-        return readable(path) ? path : "";
+        return readable(path, options) ? path : "";
     }
-    if (name[0] == '/' || name[0] == '.' || options.raypath.empty()) return readable(name) ? name : "";
+    if (name[0] == '/' || name[0] == '.' || options.raypath.empty()) return readable(name, options) ? name : "";
     for (const std::string& directory : options.raypath) {
         const bool here = directory.empty() || directory == ".";
         const std::string path = here ? name : directory + "/" + name;
-        if (readable(path)) return path;
+        if (readable(path, options)) return path;
     }
     return "";
 }
@@ -97,7 +95,7 @@ static const std::string& first_of(const std::string& beside, const std::string&
 static std::string look_as_written(const std::string& name, const ReadOptions& options, const std::string& place) {
     if (name.empty()) return "";
     std::string near = in_folder_of(place, name);
-    if (!near.empty() && !readable(near)) near.clear();
+    if (!near.empty() && !readable(near, options)) near.clear();
     const std::string path = first_of(near, along_raypath(name, options), name, place);
     return path.empty() && name[0] != '/' && name[0] != '~' ? beside_scene(name, options) : path;
 }

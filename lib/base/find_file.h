@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 #include <vector>
+#include "base/open_file.h"
 #include "base/work_budget.h"
 
 namespace base {
@@ -22,6 +23,10 @@ struct ReadOptions {
     std::vector<std::string> cal_files;      // -f: function files whose definitions every primitive sees
     std::string asked_by;                    // what names the scene files, for open_file(); empty: the command line
     std::shared_ptr<WorkBudget> work = std::make_shared<WorkBudget>();  // what the whole scene may take
+    Overlays overlays;                                                  // texts that stand for files
+    std::shared_ptr<FilesRead> read = std::make_shared<FilesRead>();    // filled by whoever reads, also before an Error
+
+    Opener opener(std::string place) const { return {std::move(place), &overlays, read.get()}; }
 };
 
 // The colon-separated directories of $RAYPATH; {"."} when it is not set.

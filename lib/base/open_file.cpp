@@ -11,8 +11,6 @@
 #include <system_error>
 
 #include "base/error.h"
-#include "base/files_read.h"
-#include "base/overlay.h"
 #include "base/printable.h"
 #include "base/split.h"
 #include "base/shutdown.h"
@@ -48,7 +46,9 @@ void require_ordinary_file(const std::string& path, const std::string& who) {
     if ((!S_ISREG(info.st_mode) && !S_ISDIR(info.st_mode)) || lies_in_kernels_folders(path)) refuse(path, who);
 }
 
-int open_file(const std::string& path, const std::string& asked_by) {
+int open_file(const std::string& path, const Opener& by) {
+    const std::string& asked_by = by.place;
+    if (by.files) note_file_read(*by.files, path, by.overlays ? *by.overlays : Overlays{});
     const bool users = asked_by.empty();
     if (!users) require_ordinary_file(path, asked_by);
     struct stat out = {}, info = {};
@@ -70,8 +70,7 @@ int open_file(const std::string& path, const std::string& asked_by) {
         close_and([&] { refuse(path, asked_by); });
     if (known && writes_file && same_file(info, out))
         close_and([&] { fail(users ? path : asked_by, "is the file that the standard output goes to"); });
-    note_file_read(path);
-    return overlaid(fd);
+    return by.overlays ? overlaid(fd, *by.overlays) : fd;
 }
 
 }  // namespace base

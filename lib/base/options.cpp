@@ -195,7 +195,7 @@ template Option& OptionTable::add(Text, Text, std::vector<std::string>&);
 
 Option& OptionTable::add(Text spelling, Text sentence, const Action& action) {
     const auto read = [this, read = action.read](const CLI::results_t& words) {
-        Arguments arguments(*carried_out_, words, scene_file_);
+        Arguments arguments(*carried_out_, words, by_);
         return read(arguments), true;
     };
     Option& o = declare(spelling, app_->add_option(long_name(spelling), read, sentence), action.show);
@@ -235,9 +235,9 @@ const Option* OptionTable::named(Text name) const {
 }
 
 // An option without arguments gets "true", as CLI11's flags do.
-void OptionTable::carry_out(const Option& option, std::vector<std::string> arguments, Text scene_file) {
+void OptionTable::carry_out(const Option& option, std::vector<std::string> arguments, const Opener& by) {
     if (arguments.empty()) arguments.push_back("true");
-    scene_file_ = scene_file, carried_out_ = &option;
+    by_ = by, carried_out_ = &option;
     option.cli->clear();
     option.cli->add_result(arguments);
     option.cli->run_callback();

@@ -18,6 +18,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "base/open_file.h"
 #include "base/vec.h"
 
 namespace CLI {
@@ -41,11 +42,11 @@ inline Range above(double low) { return {low, unlimited, true}; }
 // The arguments of one option, for a function that takes them one after another.  Throws Error (place: the option).
 class Arguments {
 public:
-    Arguments(const Option& option, std::vector<std::string> words, std::string scene_file)
-        : option_(option), words_(std::move(words)), scene_file_(std::move(scene_file)) {}
+    Arguments(const Option& option, std::vector<std::string> words, Opener by)
+        : option_(option), words_(std::move(words)), by_(std::move(by)) {}
 
-    const std::string& name() const;                             // the option's, for messages
-    const std::string& asked_by() const { return scene_file_; }  // for open_file(): the file that gives it, or empty
+    const std::string& name() const;              // the option's, for messages
+    const Opener& opener() const { return by_; }  // of files that it names; place: the file that gives it, or empty
     std::string text() { return words_[at_++]; }
     bool next_is(const std::string& word) { return words_[at_] == word && ++at_; }  // then it is passed
     long integer(const Range& range = {});  // within this range and the option's
@@ -56,7 +57,7 @@ public:
 private:
     const Option& option_;
     std::vector<std::string> words_;
-    std::string scene_file_;
+    Opener by_;
     size_t at_ = 0;
 };
 
@@ -179,6 +180,8 @@ public:
     };
     const std::vector<ParsedOption>& parsed() const { return parsed_; }
     bool given(Text name) const;
+    // The @files, and what options themselves have read.
+    const FilesRead& files_read() const { return files_read_; }
 
     const std::deque<Option>& options() const { return options_; }
     std::string version() const { return tool_ + " (luxpipe) " + version_ + "\n"; }
@@ -196,10 +199,12 @@ private:
     Found find(Text word) const;
     bool read(ArgCursor& words);
     void answer(Text text);
-    void carry_out(const Option& option, std::vector<std::string> arguments, Text scene_file);
+    void carry_out(const Option& option, std::vector<std::string> arguments, const Opener& by);
     [[noreturn]] void unknown(Text word) const;
 
-    std::string tool_, version_, usage_, examples_, footer_, group_, program_, operands_, command_, scene_file_;
+    std::string tool_, version_, usage_, examples_, footer_, group_, program_, operands_, command_;
+    FilesRead files_read_;
+    Opener by_;
     Option* help_ = nullptr;
     const Option* carried_out_ = nullptr;
     std::unique_ptr<CLI::App> app_;

@@ -81,8 +81,8 @@ std::string sha256(const std::string& bytes) {
     return hash.text();
 }
 
-std::string sha256_of_file(const std::string& path) {
-    const int file = open_file(path, "");
+std::string sha256_of_file(const std::string& path, const Overlays& overlays) {
+    const int file = open_file(path, {"", &overlays});
     Sha256 hash;
     char block[1 << 16];
     ssize_t n;

@@ -3,11 +3,12 @@
 // written here because a library of cryptography would be one more dependency of every tool, for this one function.
 #pragma once
 #include <string>
+#include "base/overlay.h"
 
 namespace base {
 
 std::string sha256(const std::string& bytes);  // 64 hexadecimal digits
 // Hashes the file, or the text that stands for it (overlay.h).  Throws Error where it cannot be read.
-std::string sha256_of_file(const std::string& path);
+std::string sha256_of_file(const std::string& path, const Overlays& overlays = {});
 
 }  // namespace base

@@ -4,7 +4,7 @@
 // The temporary stands beside the target under a name nobody can guess, and is made new: a file or link that is there
 // already is never written to.  It takes the permissions of the file it replaces.
 // A target that is a symbolic link stays one: what it names is made or replaced.
-// A target that this process has read is refused (files_read.h).
+// That it is none of the inputs is checked by who knows them (base::refuse_to_overwrite).
 // A target that exists and is not a regular file (/dev/null, a FIFO) is written directly.
 #pragma once
 #include <cstddef>

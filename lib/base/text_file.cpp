@@ -8,13 +8,12 @@
 
 #include "base/descriptor.h"
 #include "base/error.h"
-#include "base/open_file.h"
 #include "base/split.h"
 
 namespace base {
 
-std::string read_text_file(const std::string& path, size_t limit, const std::string& asked_by) {
-    const int fd = open_file(path, asked_by);
+std::string read_text_file(const std::string& path, size_t limit, const Opener& by) {
+    const int fd = open_file(path, by);
     std::string text;
     char block[1 << 14];
     ssize_t n;

@@ -7,8 +7,6 @@
 #include <utility>
 #include "base/descriptor.h"
 #include "base/error.h"
-#include "base/files_read.h"
-#include "base/open_file.h"
 #include "base/printable.h"
 #include "base/split.h"
 #include "base/text_file.h"
@@ -20,18 +18,16 @@ constexpr size_t longest_word = 511;
 inline bool space(int c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 }  // namespace
 
-TextReader TextReader::from_file(const std::string& path, const std::string& asked_by) {
+TextReader TextReader::from_file(const std::string& path, const Opener& by) {
     TextReader s;
-    s.close_ = path != "-" || !asked_by.empty();  // the standard input is the user's
+    s.close_ = path != "-" || !by.place.empty();  // the standard input is the user's
     s.name_ = s.close_ ? path : "stdin";
-    // Before it is opened: a program that waits for changes also waits for a file that does not exist yet.
-    if (s.close_) note_file_read(path);
-    s.fd_ = s.close_ ? open_file(path, asked_by) : 0;
+    s.fd_ = s.close_ ? open_file(path, by) : 0;
     struct stat st;
     if (fstat(s.fd_, &st) == 0) {
         errno = 0;
         if (S_ISDIR(st.st_mode))
-            fail_system(asked_by.empty() ? path : asked_by, "\"" + excerpt(path) + "\" is a directory");
+            fail_system(by.place.empty() ? path : by.place, "\"" + excerpt(path) + "\" is a directory");
         s.device = st.st_dev;
         s.inode = s.close_ ? st.st_ino : 0;
         if (S_ISREG(st.st_mode)) s.size = uint64_t(st.st_size);

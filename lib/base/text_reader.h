@@ -7,12 +7,13 @@
 #include <string>
 #include <string_view>
 #include <vector>
+#include "base/open_file.h"
 
 namespace base {
 
 class TextReader {
 public:
-    static TextReader from_file(const std::string& path, const std::string& asked_by);  // "-" = stdin
+    static TextReader from_file(const std::string& path, const Opener& by);  // "-" = stdin
     static TextReader from_text(std::string_view text, const std::string& name,
                                 uint32_t line);  // every line counts as this one
     TextReader(TextReader&&) noexcept;

@@ -14,12 +14,12 @@ void WorkBudget::fail(const std::string& place) const {
                           " steps of work (primitives, copies, instances); LUXPIPE_WORK raises this limit");
 }
 
-std::shared_ptr<WorkBudget> work_budget_from_environment() {
+std::shared_ptr<WorkBudget> work_budget_from_environment(WorkBudget::Check check) {
     const char* value = std::getenv("LUXPIPE_WORK");
-    if (!value) return std::make_shared<WorkBudget>();
+    if (!value) return std::make_shared<WorkBudget>(WorkBudget::usual_limit, std::move(check));
     const long limit = to_int(value, "LUXPIPE_WORK");
     if (limit < 1) fail("LUXPIPE_WORK", '"' + std::string(value) + "\" is not above 0");
-    return std::make_shared<WorkBudget>(uint64_t(limit));
+    return std::make_shared<WorkBudget>(uint64_t(limit), std::move(check));
 }
 
 }  // namespace base

@@ -4,18 +4,31 @@
 // one each, an opened file, a copy of xform and a placed instance ten.
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 
 namespace base {
+
+// What a check throws when nobody wants the scene any more.
+struct GivenUp {};
 
 class WorkBudget {
 public:
     static constexpr uint64_t usual_limit = 100000000;  // about a minute and some gigabytes
-    explicit WorkBudget(uint64_t limit = usual_limit) : limit_(limit), left_(limit) {}
+    // check: is called while the work goes on, and throws GivenUp where it need not.
+    using Check = std::function<void()>;
+    explicit WorkBudget(uint64_t limit = usual_limit, Check check = {})
+        : limit_(limit), left_(limit), check_(std::move(check)) {}
 
+    // Of work that is not counted.
+    void check() const {
+        if (check_) check_();
+    }
     // False: nothing is left.
     bool spend(uint64_t steps) {
+        if ((since_check_ += steps) >= steps_a_check) since_check_ = 0, check();
         const bool enough = steps <= left_;
         left_ = enough ? left_ - steps : 0;
         return enough;
@@ -26,10 +39,12 @@ public:
     }
 
 private:
-    uint64_t limit_, left_;
+    static constexpr uint64_t steps_a_check = 1000;  // some milliseconds
+    uint64_t limit_, left_, since_check_ = 0;
+    Check check_;
 };
 
 // With the limit of $LUXPIPE_WORK, or the usual one.
-std::shared_ptr<WorkBudget> work_budget_from_environment();
+std::shared_ptr<WorkBudget> work_budget_from_environment(WorkBudget::Check check = {});
 
 }  // namespace base

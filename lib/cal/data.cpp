@@ -56,9 +56,9 @@ private:
 
 }  // namespace
 
-DataFile read_data(const std::string& path, const std::string& place) {
-    const std::string text = read_text(path, max_data_file, place);
-    Numbers in(text, path, place);
+DataFile read_data(const std::string& path, const base::Opener& by) {
+    const std::string text = read_text(path, max_data_file, by);
+    Numbers in(text, path, by.place);
     DataFile data;
     const uint32_t dims = in.count("number of dimensions");
     if (dims > max_dims) in.fail("more than 5 dimensions");
@@ -107,9 +107,9 @@ uint32_t data_table(Library::State& library, const std::string& file, size_t dim
                     Code& code) {
     const std::string path = base::find_file(file, library.files, place);
     const auto known = code.tables.find("data " + path);
-    const uint32_t table = known != code.tables.end()
-                               ? known->second
-                               : code.tables["data " + path] = add_data(read_data(path, place), 1, code);
+    const uint32_t table = known != code.tables.end() ? known->second
+                                                      : code.tables["data " + path] = add_data(
+                                                            read_data(path, library.files.opener(place)), 1, code);
     if (code.words[table] != dimensions)
         base::fail(place, "data file \"" + file + "\" has " + std::to_string(code.words[table]) + " dimensions, " +
                               std::to_string(dimensions) + " coordinates are given");
@@ -141,7 +141,7 @@ uint32_t picture_table(Library::State& library, const std::string& file, const s
     const std::string path = base::find_file(file, library.files, place);
     const auto known = code.tables.find("picture " + path);
     if (known != code.tables.end()) return known->second;
-    const image::Picture picture = image::read_file(path, image::Pixels::stored, place);
+    const image::Picture picture = image::read_file(path, image::Pixels::stored, library.files.opener(place));
     const DataFile data = picture_plane(picture.width, picture.height, picture.header.pixel_aspect, [&](int x, int y) {
         return std::array{picture.at(x, y)[0], picture.at(x, y)[1], picture.at(x, y)[2]};
     });
@@ -151,7 +151,7 @@ uint32_t picture_table(Library::State& library, const std::string& file, const s
 std::optional<SpectralTables> spectral_tables(Library::State& library, const std::string& file,
                                               const std::string& place, Code& code) {
     const std::string path = base::find_file(file, library.files, place);
-    const auto picture = image::read_spectral_file(path, place);
+    const auto picture = image::read_spectral_file(path, library.files.opener(place));
     if (!picture) return {};
     SpectralTables r;
     r.bands = picture->bands;

@@ -6,7 +6,6 @@
 #include <set>
 #include <utility>
 #include "base/error.h"
-#include "base/open_file.h"
 #include "base/split.h"
 
 namespace cal {
@@ -34,8 +33,9 @@ bool split_context(const std::string& name, std::string& base, std::string& cont
 }
 }  // namespace
 
-std::string read_text(const std::string& path, size_t limit, const std::string& place) {
-    FILE* file = fdopen(base::open_file(path, place), "rb");
+std::string read_text(const std::string& path, size_t limit, const base::Opener& by) {
+    const std::string& place = by.place;
+    FILE* file = fdopen(base::open_file(path, by), "rb");
     if (!file) base::fail_system(place, "cannot open \"" + path + "\"");
     std::string text;
     char block[65536];
@@ -114,7 +114,7 @@ void Library::State::add(std::string_view text, const std::string& file, const s
 
 void Library::State::add_file(const std::string& file, const std::string& path, const std::string& context,
                               const std::string& place, bool warn) {
-    if (!path.empty()) return add(read_text(path, max_file, place), path, context, warn);
+    if (!path.empty()) return add(read_text(path, max_file, files.opener(place)), path, context, warn);
     const bool has_ending = base::ends_with(file, ".cal");
     const char* text = builtin_file(has_ending ? file : file + ".cal");
     if (!text) base::fail(place, "cannot find function file \"" + file + "\"");

@@ -35,6 +35,6 @@ struct Library::State {
 const char* builtin_file(const std::string& name);
 extern const char* const rayinit_text;  // builtin_rayinit.cpp
 
-std::string read_text(const std::string& path, size_t limit, const std::string& place);
+std::string read_text(const std::string& path, size_t limit, const base::Opener& by);
 
 }  // namespace cal

@@ -86,7 +86,8 @@ std::optional<SpectralTables> Parts::spectral(size_t at) {
 uint32_t Parts::picture(size_t at) { return picture_table(library_.state(), spec.strings[at], spec.place, code_); }
 
 DataFile Parts::read(size_t at) {
-    return read_data(base::find_file(spec.strings[at], library_.state().files, spec.place), spec.place);
+    const base::ReadOptions& files = library_.state().files;
+    return read_data(base::find_file(spec.strings[at], files, spec.place), files.opener(spec.place));
 }
 
 // Column and row of the point in the skewed grid of R and D (dual vectors), then the characters' own scale.
@@ -100,7 +101,9 @@ int Parts::text(size_t font_at, size_t real_count) {
     if (!(n2 > 0)) fail("text vectors are parallel or zero");
     const base::Vec3 column = base::cross(n, down) * (1 / n2), row = base::cross(right, n) * (1 / n2);
 
-    const Font font = read_font(base::find_file(spec.strings[font_at], library_.state().files, spec.place), spec.place);
+    const base::ReadOptions& files = library_.state().files;
+    const base::Opener by = files.opener(spec.place);
+    const Font font = read_font(base::find_file(spec.strings[font_at], files, spec.place), by);
     std::vector<std::string> lines;
     if (spec.strings[font_at + 1] == ".") {
         std::string line;
@@ -108,9 +111,8 @@ int Parts::text(size_t font_at, size_t real_count) {
             line += (i > font_at + 2 ? " " : "") + spec.strings[i];
         lines.push_back(line);
     } else {
-        const std::string text =
-            read_text(base::find_file(spec.strings[font_at + 1], library_.state().files, spec.place), size_t(16) << 20,
-                      spec.place);
+        const std::string path = base::find_file(spec.strings[font_at + 1], files, spec.place);
+        const std::string text = read_text(path, size_t(16) << 20, by);
         for (size_t from = 0; from < text.size();) {
             const size_t end = std::min(text.find('\n', from), text.size());
             lines.push_back(text.substr(from, end - from));

@@ -22,7 +22,7 @@ struct DataFile {
     std::vector<Dimension> dimensions;
     std::vector<float> values;  // last dimension fastest
 };
-DataFile read_data(const std::string& path, const std::string& place);
+DataFile read_data(const std::string& path, const base::Opener& by);
 
 // Tables in `code`; `dimensions` is checked against the file.  Throw Error(place).
 uint32_t data_table(Library::State& library, const std::string& file, size_t dimensions, const std::string& place,
@@ -48,7 +48,7 @@ struct Font {
     std::vector<Glyph> glyphs;
     int mean_width = 0;  // M: mean of right - left over glyphs with extent
 };
-Font read_font(const std::string& path, const std::string& place);
+Font read_font(const std::string& path, const base::Opener& by);
 
 // Starts of the characters of a line, and its width last: text.size() + 1 advances summed up (spacing: 255 g
 // truncated).

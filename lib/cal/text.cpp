@@ -10,8 +10,8 @@
 
 namespace cal {
 
-Font read_font(const std::string& path, const std::string& place) {
-    const std::string text = read_text(path, size_t(64) << 20, place);
+Font read_font(const std::string& path, const base::Opener& by) {
+    const std::string &place = by.place, text = read_text(path, size_t(64) << 20, by);
     auto fail = [&](const std::string& fact) { base::fail(place, "font \"" + path + "\": " + fact); };
     size_t at = 0;
     auto blank = [&] { return static_cast<unsigned char>(text[at]) <= ' '; };

@@ -205,7 +205,8 @@ private:
         const std::string path = base::find_file(name, files_, place);
         const auto known = bsdf_files_.find(path);
         if (known != bsdf_files_.end()) return known->second;
-        return bsdf_files_[path] = add_bsdf(scene::read_bsdf(path, place), tables_.bsdfs, tables_.code, path);
+        return bsdf_files_[path] =
+                   add_bsdf(scene::read_bsdf(path, files_.opener(place)), tables_.bsdfs, tables_.code, path);
     }
 
     // Sets its number and its cut face, and marks the modifiers that it lists.

@@ -26,7 +26,7 @@ struct Prism {
 };
 
 void read_outline(const Call& call, const std::string& path, std::vector<Vec3>& v) {
-    base::TextReader in = base::TextReader::from_file(base::beside(path, call.place), call.place);
+    base::TextReader in = base::TextReader::from_file(base::beside(path, call.place), call.options.opener(call.place));
     std::string_view word;
     Vec3 p;
     for (int n = 0; in.word(word); n++) {

@@ -89,7 +89,7 @@ private:
         const std::string path = base::beside(word, call_.place);
         const bool expression = word == "s" || word == "t" || stat(path.c_str(), &st) != 0 || !S_ISREG(st.st_mode);
         if (expression) return f_.define(names[k], "s,t", word);
-        base::TextReader in = base::TextReader::from_file(path, call_.place);
+        base::TextReader in = base::TextReader::from_file(path, call_.options.opener(call_.place));
         Data& d = data_[k];
         double value;
         const size_t points = size_t(m_ + 1) * (n_ + 1), cells = size_t(m_) * n_;

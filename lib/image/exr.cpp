@@ -113,8 +113,8 @@ std::vector<Part> read_means(const ExrInput& in, const Picture& p, const std::st
 
 }  // namespace
 
-Picture read_exr(const std::string& path, const std::string& asked_by) {
-    const ExrInput in(path, asked_by);
+Picture read_exr(const std::string& path, const base::Opener& by) {
+    const ExrInput in(path, by);
     Picture p;
     p.width = in.width();
     p.height = in.height();

@@ -3,6 +3,7 @@
 // the string attribute "radianceHeader" and whiteLuminance = 179 (cd/m2 of R = G = B = 1).
 #pragma once
 #include <string>
+#include "base/open_file.h"
 #include "image/picture.h"
 
 namespace image {
@@ -13,7 +14,7 @@ struct ExrOptions {
     std::string compression = "zip";  // none rle zips zip piz pxr24 b44 b44a dwaa dwab
 };
 
-Picture read_exr(const std::string& path, const std::string& asked_by = "");
+Picture read_exr(const std::string& path, const base::Opener& by = {});
 std::string exr_bytes(const std::string& path, const Picture& picture, const ExrOptions& options = {});  // of that file
 void write_exr(const std::string& path, const Picture& picture, const ExrOptions& options = {});
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <vector>
+#include "base/open_file.h"
 #include "image/exr.h"
 #include "image/primaries.h"
 
@@ -14,7 +15,7 @@ namespace image {
 // Reads the display window; what the data window does not cover is 0.  Throws Error for anything broken.
 class ExrInput {
 public:
-    explicit ExrInput(const std::string& path, const std::string& asked_by = "");  // as for base::open_file()
+    explicit ExrInput(const std::string& path, const base::Opener& by = {});  // as for base::open_file()
     ~ExrInput();
     int width() const { return width_; }
     int height() const { return height_; }

@@ -30,8 +30,8 @@ namespace {
 // A file by its descriptor, so that it is opened once and by base::open_file().
 class DescriptorIn : public Imf::IStream {
 public:
-    DescriptorIn(const std::string& path, const std::string& asked_by)
-        : Imf::IStream(path.c_str()), fd_(base::open_file(path, asked_by)) {}
+    DescriptorIn(const std::string& path, const base::Opener& by)
+        : Imf::IStream(path.c_str()), fd_(base::open_file(path, by)) {}
     ~DescriptorIn() override { close(fd_); }
     bool read(char to[], int n) override {
         for (int done = 0; done < n;) {
@@ -62,8 +62,8 @@ struct ExrInput::File {
     DescriptorIn bytes;
     Imf::MultiPartInputFile parts;  // reads headers only
     Imf::InputPart in;
-    File(const std::string& path, const std::string& asked_by)
-        : bytes(path, asked_by), parts(checked(bytes, path)), in((check_blocks(parts.header(0), path), parts), 0) {}
+    File(const std::string& path, const base::Opener& by)
+        : bytes(path, by), parts(checked(bytes, path)), in((check_blocks(parts.header(0), path), parts), 0) {}
 
 private:
     static Imf::IStream& checked(DescriptorIn& bytes, const std::string& path) {
@@ -73,11 +73,11 @@ private:
     }
 };
 
-ExrInput::ExrInput(const std::string& path, const std::string& asked_by) : path_(path) {
+ExrInput::ExrInput(const std::string& path, const base::Opener& by) : path_(path) {
     Imf::Header::setMaxImageSize(most_side, most_side);  // before OpenEXR reserves anything
     Imf::Header::setMaxTileSize(most_side, most_side);
     try {
-        file_.reset(new File(path, asked_by));
+        file_.reset(new File(path, by));
         const Imath::Box2i shown = file_->in.header().displayWindow();
         const int64_t w = int64_t(shown.max.x) - shown.min.x + 1, h = int64_t(shown.max.y) - shown.min.y + 1;
         if (w < 1 || h < 1 || w > most_side || h > most_side)

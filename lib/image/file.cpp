@@ -52,8 +52,8 @@ void write_bytes(const std::string& path, const std::string& bytes) {
     temp.keep();
 }
 
-Picture read_file(const std::string& path, Pixels pixels, const std::string& asked_by) {
-    StreamReader in(path, pixels, asked_by);
+Picture read_file(const std::string& path, Pixels pixels, const base::Opener& by) {
+    StreamReader in(path, pixels, by);
     Picture picture;
     in.next(picture);
     Picture further;

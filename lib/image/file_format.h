@@ -3,6 +3,7 @@
 // file_format.cpp (man/luxpipe-stream.5 describes them).
 #pragma once
 #include <string>
+#include "base/open_file.h"
 #include "image/exr.h"
 
 namespace image {
@@ -17,7 +18,7 @@ struct FileFormat {
     const char* name;     // for messages
     const char* endings;  // in small letters, each with its dot, separated by blanks
     const char* magic;    // the four bytes that such a file begins with; null: it is not read as a whole file
-    Picture (*read)(const std::string& path, const std::string& asked_by);
+    Picture (*read)(const std::string& path, const base::Opener& by);
     void (*write)(const std::string& path, const Picture& picture, const WriteOptions& options);
 };
 

@@ -17,10 +17,10 @@
 
 namespace image {
 
-Input::Input(const std::string& path, const std::string& asked_by)
-    : name_(path), own_(path != "-" || !asked_by.empty()), buffer_(1 << 16) {
+Input::Input(const std::string& path, const base::Opener& by)
+    : name_(path), own_(path != "-" || !by.place.empty()), buffer_(1 << 16) {
     if (!own_) name_ = "stdin";
-    fd_ = own_ ? base::open_file(path, asked_by) : 0;
+    fd_ = own_ ? base::open_file(path, by) : 0;
     struct stat info = {};
     const bool known = fstat(fd_, &info) == 0;
     if (known && S_ISDIR(info.st_mode)) {

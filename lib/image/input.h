@@ -6,14 +6,15 @@
 #include <optional>
 #include <string>
 #include <vector>
+#include "base/open_file.h"
 
 namespace image {
 
 class Input {
 public:
-    // "-" is stdin, on the command line; throws Error (system) if it cannot be opened.  asked_by: as for
-    // base::open_file().
-    explicit Input(const std::string& path, const std::string& asked_by = "");
+    // "-" is stdin, on the command line; throws Error (system) if it cannot be opened.  by: as
+    // for base::open_file().
+    explicit Input(const std::string& path, const base::Opener& by = {});
     ~Input();
     Input(const Input&) = delete;
     Input& operator=(const Input&) = delete;

@@ -32,8 +32,8 @@ void start_threads() {
 
 }  // namespace
 
-MaskSet read_masks(const std::string& path, const std::string& asked_by) {
-    const ExrInput in(path, asked_by);
+MaskSet read_masks(const std::string& path, const base::Opener& by) {
+    const ExrInput in(path, by);
     MaskSet set;
     set.width = in.width();
     set.height = in.height();

@@ -5,6 +5,7 @@
 #include <functional>
 #include <string>
 #include <vector>
+#include "base/open_file.h"
 #include "image/picture.h"
 
 namespace image {
@@ -21,7 +22,7 @@ struct MaskSet {
 // Regions of a file that fits any view and size, drawn when these are known (lib/region/region.h).
 using DrawRegions = std::function<MaskSet(const view::View& view, int width, int height)>;
 
-MaskSet read_masks(const std::string& path, const std::string& asked_by = "");
+MaskSet read_masks(const std::string& path, const base::Opener& by = {});
 void write_masks(const std::string& path, const MaskSet& set);
 
 }  // namespace image

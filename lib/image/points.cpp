@@ -42,15 +42,15 @@ bool is_point_file(const fs::path& path) {
 }
 
 // Hidden files and folders are left out.
-std::vector<PointFile> files_in(const std::string& folder) {
+std::vector<PointFile> files_in(const std::string& folder, base::FilesRead& looked_at) {
     std::set<std::string> inside;
     std::error_code unreadable;
-    base::note_file_missed(folder);  // as are the .pts files that may come to be in it
+    base::note_file_missed(looked_at, folder);  // as are the .pts files that may come to be in it
     for (auto at = fs::recursive_directory_iterator(folder, unreadable);
          !unreadable && at != fs::recursive_directory_iterator(); at.increment(unreadable)) {
         const bool hidden = at->path().filename().string()[0] == '.', deeper = at->is_directory(unreadable);
         if (hidden && deeper) at.disable_recursion_pending();
-        else if (deeper) base::note_file_missed(at->path().string());
+        else if (deeper) base::note_file_missed(looked_at, at->path().string());
         else if (!hidden && is_point_file(at->path())) inside.insert(at->path().string());
     }
     if (unreadable || inside.empty()) base::fail(folder, "is a folder without .pts files");
@@ -80,9 +80,9 @@ bool operator==(const Grid& a, const Grid& b) {
     return a.name == b.name && a.first == b.first && a.count == b.count && a.sensors == b.sensors && a.hash == b.hash;
 }
 
-GridFile read_points(const PointFile& of) {
+GridFile read_points(const PointFile& of, const base::Opener& by) {
     GridFile file{of.path == "-" ? "stdin" : of.path, plain_name(of.name, of.path), {}, {}};
-    base::TextReader in = base::TextReader::from_file(of.path, "");
+    base::TextReader in = base::TextReader::from_file(of.path, by);
     base::Hash hash;
     uint32_t number = 0;
     for (std::string line; in.line(line, longest_point);) {
@@ -103,7 +103,8 @@ GridFile read_points(const PointFile& of) {
     return file;
 }
 
-std::vector<PointFile> point_files(const std::vector<std::string>& paths) {
+std::vector<PointFile> point_files(const std::vector<std::string>& paths, base::FilesRead* looked_at) {
+    base::FilesRead unasked;
     std::vector<PointFile> out;
     for (const std::string& path : paths) {
         std::error_code unreadable;
@@ -111,7 +112,7 @@ std::vector<PointFile> point_files(const std::vector<std::string>& paths) {
             out.push_back({path, name_of(fs::path(path).filename())});
             continue;
         }
-        const std::vector<PointFile> inside = files_in(path);
+        const std::vector<PointFile> inside = files_in(path, looked_at ? *looked_at : unasked);
         out.insert(out.end(), inside.begin(), inside.end());
     }
     return out;

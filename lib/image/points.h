@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 #include <vector>
+#include "base/open_file.h"
 #include "base/vec.h"
 
 namespace image {
@@ -41,10 +42,10 @@ struct PointFile {
 
 // Files as they are named, and in place of a folder its .pts files (also .PTS) and those of its sub-folders, in the
 // order of their names (Honeybee's model/grid).  Throws Error for a folder without one.
-std::vector<PointFile> point_files(const std::vector<std::string>& paths);
+std::vector<PointFile> point_files(const std::vector<std::string>& paths, base::FilesRead* looked_at = nullptr);
 
 // x y z dx dy dz a line; # begins a comment.  "-": the standard input.  Throws Error (file:line) for anything else.
-GridFile read_points(const PointFile& file);
+GridFile read_points(const PointFile& file, const base::Opener& by = {});
 
 // The grids of all files, in their order.  Throws Error (place: the file) if two have the same name.
 std::vector<Grid> grids_of(const GridFiles& files, bool sensors);

@@ -11,8 +11,8 @@ namespace {
 constexpr int most_bands = 24;
 }
 
-std::optional<SpectralPicture> read_spectral_file(const std::string& path, const std::string& asked_by) {
-    Input in(path, asked_by);
+std::optional<SpectralPicture> read_spectral_file(const std::string& path, const base::Opener& by) {
+    Input in(path, by);
     char start[2];
     if (!in.look(start, 2) || start[0] != '#' || start[1] != '?') return {};
     const Head head = read_head(in, path);

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <vector>
+#include "base/open_file.h"
 
 namespace image {
 
@@ -16,6 +17,6 @@ struct SpectralPicture {
 };
 
 // Nothing if the file is not such a picture.
-std::optional<SpectralPicture> read_spectral_file(const std::string& path, const std::string& asked_by = "");
+std::optional<SpectralPicture> read_spectral_file(const std::string& path, const base::Opener& by = {});
 
 }  // namespace image

@@ -3,6 +3,7 @@
 #pragma once
 #include <memory>
 #include <string>
+#include "base/open_file.h"
 #include "image/file_format.h"
 #include "image/picture.h"
 
@@ -12,7 +13,7 @@ namespace image {
 // A file that is OpenEXR (whatever its name) is one picture.
 class StreamReader {
 public:
-    explicit StreamReader(const std::string& path, Pixels pixels = Pixels::radiance, const std::string& asked_by = "");
+    explicit StreamReader(const std::string& path, Pixels pixels = Pixels::radiance, const base::Opener& by = {});
     ~StreamReader();
     // false at a clean end of input; throws Error on anything cut or malformed (place = path, picture number).
     bool next(Picture& picture);
@@ -37,7 +38,7 @@ std::string ending_of(const std::string& path);  // ".exr", in small letters
 // `more`: further endings that are right.
 void require_writable_ending(const std::string& path, const std::vector<std::string>& more = {});
 // One picture; throws Error if there are several.
-Picture read_file(const std::string& path, Pixels pixels = Pixels::radiance, const std::string& asked_by = "");
+Picture read_file(const std::string& path, Pixels pixels = Pixels::radiance, const base::Opener& by = {});
 void write_file(const std::string& path, const Picture& picture, const WriteOptions& options = {});
 
 }  // namespace image

@@ -215,8 +215,8 @@ struct StreamReader::State {
 
     CarriedMoments moments;
 
-    State(const std::string& path, Pixels wanted, const std::string& asked_by)
-        : in(path, asked_by), pixels(wanted), named_by(asked_by) {
+    State(const std::string& path, Pixels wanted, const base::Opener& by)
+        : in(path, by), pixels(wanted), named_by(by.place) {
         char start[4];
         if (in.look(start, 4)) whole_file = format_by_magic(start);
         if (whole_file && (path == "-" || !in.remaining()))
@@ -233,8 +233,8 @@ struct StreamReader::State {
     }
 };
 
-StreamReader::StreamReader(const std::string& path, Pixels pixels, const std::string& asked_by)
-    : state_(new State(path, pixels, asked_by)) {}
+StreamReader::StreamReader(const std::string& path, Pixels pixels, const base::Opener& by)
+    : state_(new State(path, pixels, by)) {}
 StreamReader::~StreamReader() = default;
 int64_t StreamReader::pictures() const { return state_->count; }
 

@@ -23,7 +23,9 @@ bool is_exr(const std::string& path) {
 
 }  // namespace
 
-image::MaskSet open(const std::string& path, image::DrawRegions& draw, Check check, bool may_be_empty) {
+image::MaskSet open(const std::string& path, image::DrawRegions& draw, Check check, bool may_be_empty,
+                    base::FilesRead* read_files) {
+    if (read_files) base::note_file_read(*read_files, path);
     if (is_exr(path)) return image::read_masks(path);
     auto regions = std::make_shared<Regions>(read(path, may_be_empty));
     for (const Shape& s : regions->shapes)
@@ -31,6 +33,8 @@ image::MaskSet open(const std::string& path, image::DrawRegions& draw, Check che
             base::fail(s.place,
                        "asks the scene for a surface or modifier: make masks of it with vcregion and the scene, "
                        "and use those");
+    if (read_files)
+        for (const std::string& mask : mask_files(*regions)) base::note_file_read(*read_files, mask);
     image::MaskSet set;
     for (const Region& r : regions->regions) set.masks.push_back({r.name, {}});
     draw = [regions, check](const view::View& view, int width, int height) {

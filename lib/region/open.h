@@ -11,7 +11,8 @@ namespace region {
 enum class Check { empty, empty_and_small, none };
 
 // Returns masks; or, from a region file, their names, and in `draw` a function that draws them for a view and size.
-// A region file without a region is an Error unless it may be empty.
-image::MaskSet open(const std::string& path, image::DrawRegions& draw, Check check, bool may_be_empty = false);
+// A region file without a region is an Error unless it may be empty.  read: gets the file, and those that it names.
+image::MaskSet open(const std::string& path, image::DrawRegions& draw, Check check, bool may_be_empty = false,
+                    base::FilesRead* read = nullptr);
 
 }  // namespace region

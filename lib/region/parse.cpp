@@ -280,6 +280,13 @@ Regions parse(const std::string& text, const std::string& file, bool may_be_empt
     return out;
 }
 
+std::vector<std::string> mask_files(const Regions& regions) {
+    std::vector<std::string> files;
+    for (const Shape& s : regions.shapes)
+        if (s.kind == Kind::mask) files.push_back(s.text);
+    return files;
+}
+
 Regions read(const std::string& path, bool may_be_empty) {
     if (path == "-") return parse(std::string(std::istreambuf_iterator<char>(std::cin), {}), "stdin", may_be_empty);
     constexpr size_t limit = 64u << 20;  // a text of regions, not a picture given by mistake

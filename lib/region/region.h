@@ -62,6 +62,9 @@ struct Regions {
 Regions read(const std::string& path, bool may_be_empty = false);
 Regions parse(const std::string& text, const std::string& file, bool may_be_empty = false);
 
+// The pictures that its masks are read from.
+std::vector<std::string> mask_files(const Regions& regions);
+
 // Region k by itself, with the shapes that it uses.
 Regions only(const Regions& regions, size_t k);
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "base/error.h"
-#include "base/files_read.h"
 #include "base/run.h"
 #include "base/shutdown.h"
 
@@ -58,8 +57,18 @@ void Control::look_for_wish() {
     wish_ = edit ? Wish::end : !commands_.empty() && commands_.size() == pauses ? Wish::wait : Wish::go_on;
 }
 
+void Control::watch(const base::FilesRead& files) {
+    const std::lock_guard<std::mutex> hold(lock_);
+    files_ = files;
+}
+
 void Control::look_at_files() {
-    const base::FilesNow now = base::files_now();
+    base::FilesRead files;
+    {
+        const std::lock_guard<std::mutex> hold(lock_);
+        files = files_;
+    }
+    const base::FilesNow now = base::files_now(files);
     steady_ = now.state == seen_ ? steady_ + 1 : 0;
     seen_ = now.state;
     if (!now.changed || now.state == told_ || steady_ < (now.gone ? looks_for_gone : 1)) return;

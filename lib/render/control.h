@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/files_read.h"
 #include "device/device.h"
 #include "render/command_reader.h"
 
@@ -32,6 +33,8 @@ public:
     // After "pause" it waits for "go", "next", an edit, a signal or the end of stdout's reader.  Any other command is
     // an edit, for which the picture ends before this frame.
     bool ends_picture(const std::string& label);
+    // The files to watch, as they were read.
+    void watch(const base::FilesRead& files);
     // Answers the words of "what", between two frames.
     void answer_with(std::function<void(const std::string& words)> answer) { answer_ = std::move(answer); }
     bool edited() const { return !edits_.empty(); }
@@ -62,6 +65,7 @@ private:
     std::function<void(const std::string& words)> answer_;
     std::atomic<device::Wish> wish_{device::Wish::go_on};
     bool watch_;
+    base::FilesRead files_;
     uint64_t seen_ = 0, told_ = 0;  // states of the files: the last one, and the last one reported
     int steady_ = 0;                // number of looks without a change of state
     std::atomic<bool> leaves_{false};

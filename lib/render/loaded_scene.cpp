@@ -21,9 +21,15 @@ std::string made_of(const RenderOptions& options, const scene::ReadOptions& file
 
 LoadedRoom load_room(const scene::Scene& scene, const RenderOptions& options, const scene::ReadOptions& files) {
     LoadedRoom room;
-    const uint64_t before = base::files_noted_count();
-    room.surfaces = flatten::flatten_room(scene, options, files);
-    room.files = base::files_noted_since(before);
+    scene::ReadOptions own = files;
+    own.read = std::make_shared<base::FilesRead>();
+    try {
+        room.surfaces = flatten::flatten_room(scene, options, own);
+    } catch (...) {
+        base::note_files(*files.read, *own.read);
+        throw;
+    }
+    room.files = *own.read;
     room.windows = sampling::find_windows(room.surfaces.tables);
     room.smooth = sampling::smooth_surfaces(room.surfaces.tables);
     room.made_of = made_of(options, files);
@@ -34,7 +40,7 @@ bool is_same(const LoadedRoom& room, const RenderOptions& options, const scene::
     const flatten::FlatScene& flat = room.surfaces.tables;
     return made_of(options, files) == room.made_of && !options.room_text.empty() &&
            flatten::centre_of(flat.boxes, options.eye ? &*options.eye : nullptr) == flat.centre &&
-           base::note_unchanged_files(room.files);
+           base::are_unchanged(room.files, files.overlays);
 }
 
 }  // namespace
@@ -52,9 +58,11 @@ LoadedScene load_scene(const scene::Scene& scene, const RenderOptions& options, 
     if (known && is_same(*known, options, files)) {
         light(*known, known->surfaces);
         if (options.keep_room) out.room = known;
+        base::note_files(*files.read, known->files);
     } else {
         LoadedRoom room = load_room(scene, options, files);
         if (options.keep_room) out.room = std::make_shared<const LoadedRoom>(room);
+        base::note_files(*files.read, room.files);
         light(room, std::move(room.surfaces));
     }
     const auto of_sky = [&](uint32_t object) { return object >= options.sky_from; };

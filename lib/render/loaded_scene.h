@@ -17,7 +17,7 @@ namespace render {
 // What scenes have in common that differ in their sky.
 struct LoadedRoom {
     std::string made_of;  // hash of objects and options
-    std::vector<base::FileNote> files;
+    base::FilesRead files;
     flatten::Room surfaces;
     std::vector<sampling::Target> windows;
     sampling::SmoothSurfaces smooth;

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/files_read.h"
 #include "base/memory.h"
 #include "base/warnings.h"
 
@@ -86,21 +85,15 @@ void Session::select(const Setup& setup) {
 // Changes are relative to the files' present state.
 Session::WithSky Session::read_again(Setup& setup, const ReadView& read_view) const {
     scene::ReadOptions how = setup.reading;
-    const std::vector<std::string> before = base::forget_files_read();
     base::take_warnings();
-    try {
-        if (read_view) read_view(setup.view);
-        WithSky now;
-        now.scene = scene::read_scene(files_, how);
-        now.room = scene::extent_of(now.scene);
-        now.room_text = hash_of_surfaces(now.scene);
-        how.asked_by.clear();  // a sky is named on the command line
-        if (!sky_.empty()) scene::read_more(now.scene, {sky_}, how);
-        return now;
-    } catch (...) {
-        for (const std::string& path : before) base::note_file_read(path);
-        throw;
-    }
+    if (read_view) read_view(setup.view);
+    WithSky now;
+    now.scene = scene::read_scene(files_, how);
+    now.room = scene::extent_of(now.scene);
+    now.room_text = hash_of_surfaces(now.scene);
+    how.asked_by.clear();  // a sky is named on the command line
+    if (!sky_.empty()) scene::read_more(now.scene, {sky_}, how);
+    return now;
 }
 
 bool Session::edit(Setup next, bool read, const ReadView& read_view) {

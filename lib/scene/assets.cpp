@@ -33,7 +33,7 @@ const Scene& Assets::octree(const Scene& scene, const Object& o) {
 const Mesh& Assets::mesh(const Scene& scene, const Object& o) {
     const std::string path = find_file(scene.strings(o)[0], options_, scene.place(o));
     std::unique_ptr<Mesh>& mesh = meshes_[path];
-    if (!mesh) mesh = std::make_unique<Mesh>(read_mesh(path, limits_, scene.place(o)));
+    if (!mesh) mesh = std::make_unique<Mesh>(read_mesh(path, limits_, options_.opener(scene.place(o))));
     return *mesh;
 }
 

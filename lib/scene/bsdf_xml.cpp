@@ -209,8 +209,8 @@ Bsdf parse_bsdf(const std::string& text, const std::string& place) {
     return out;
 }
 
-Bsdf read_bsdf(const std::string& path, const std::string& asked_by) {
-    return parse_bsdf(base::read_text_file(path, max_file, asked_by), path);
+Bsdf read_bsdf(const std::string& path, const base::Opener& by) {
+    return parse_bsdf(base::read_text_file(path, max_file, by), path);
 }
 
 }  // namespace scene

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <string>
 #include <vector>
+#include "base/open_file.h"
 
 namespace scene {
 
@@ -43,8 +44,8 @@ struct Bsdf {
     std::array<BsdfTable, 2> reflection, transmission;  // by the side of the incident light: 0 = +z, 1 = -z
 };
 
-// path is opened as it is; errors name it.  asked_by: as for base::open_file().
-Bsdf read_bsdf(const std::string& path, const std::string& asked_by = "");
+// path is opened as it is; errors name it.  by: as for base::open_file().
+Bsdf read_bsdf(const std::string& path, const base::Opener& by = {});
 Bsdf parse_bsdf(const std::string& text, const std::string& place);
 
 }  // namespace scene

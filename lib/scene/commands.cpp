@@ -5,7 +5,6 @@
 #include <algorithm>
 #include "base/error.h"
 #include "base/find_file.h"
-#include "base/open_file.h"
 #include "base/printable.h"
 #include "base/shell.h"
 #include "generators/generators.h"
@@ -17,8 +16,8 @@ namespace {
 constexpr size_t text_limit = size_t(1) << 30;         // of one command's output
 constexpr size_t definitions_limit = size_t(1) << 26;  // of an xform -f file
 
-bool ends_line(const std::string& path, const std::string& place) {
-    const int fd = base::open_file(path, place);
+bool ends_line(const std::string& path, const base::Opener& by) {
+    const int fd = base::open_file(path, by);
     char last = '\n';  // also of an empty file, and of one that cannot be read, which its reader reports
     const off_t size = lseek(fd, 0, SEEK_END);
     if (size > 0 && pread(fd, &last, 1, size - 1) != 1) last = '\n';
@@ -84,7 +83,7 @@ void SceneReader::run(const CommandLine& line, const std::string& text, size_t s
 void SceneReader::cat(const std::vector<std::string>& files, const base::TextReader& from) {
     bool lines = true;  // each file ends one
     for (size_t i = 0; i + 1 < files.size(); i++)
-        lines = lines && ends_line(base::beside(files[i], from.place()), from.place());
+        lines = lines && ends_line(base::beside(files[i], from.place()), options_.opener(from.place()));
     if (lines) {
         for (const std::string& file : files) read_included(file, from);
         return;
@@ -95,7 +94,7 @@ void SceneReader::cat(const std::vector<std::string>& files, const base::TextRea
 }
 
 std::string SceneReader::text_of(const std::string& file, const base::TextReader& from, size_t limit) {
-    base::TextReader in = base::TextReader::from_file(base::beside(file, from.place()), from.place());
+    base::TextReader in = base::TextReader::from_file(base::beside(file, from.place()), options_.opener(from.place()));
     std::string all;
     for (int c; (c = in.get()) >= 0 && all.size() < limit;) all += char(c);
     work_.spend(work_file + all.size() / work_bytes, from.place());

@@ -140,10 +140,10 @@ void read_rtm(base::TextReader& source, const Limits& limits, Mesh& mesh) {
     if (!r.any_uvs) mesh.uvs.clear();
 }
 
-Mesh read_mesh(const std::string& path, const Limits& limits, const std::string& asked_by) {
+Mesh read_mesh(const std::string& path, const Limits& limits, const base::Opener& by) {
     Mesh mesh;
     mesh.path = path;
-    base::TextReader in = base::TextReader::from_file(path, asked_by);
+    base::TextReader in = base::TextReader::from_file(path, by);
     if (in.header_format() == "Radiance_tmesh") read_rtm(in, limits, mesh);
     else if (base::ends_with(path, ".obj")) read_obj(in, mesh);
     else base::fail(path, "neither a compiled mesh (.rtm) nor a Wavefront .obj file");

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string>
 #include <vector>
+#include "base/open_file.h"
 #include "base/vec.h"
 #include "scene/object.h"
 
@@ -34,8 +35,8 @@ struct Mesh {
                                               // the scene of the mesh primitive); empty for .rtm
 };
 
-// By content (.rtm) or ending (.obj).  Throws Error; sizes are checked against what the file holds.  asked_by: as for
+// By content (.rtm) or ending (.obj).  Throws Error; sizes are checked against what the file holds.  by: as for
 // base::open_file().
-Mesh read_mesh(const std::string& path, const Limits& limits = {}, const std::string& asked_by = "");
+Mesh read_mesh(const std::string& path, const Limits& limits = {}, const base::Opener& by = {});
 
 }  // namespace scene

@@ -40,7 +40,7 @@ SceneReader::Deeper::Deeper(int& depth, int limit, const std::string& place) : d
 }
 
 void SceneReader::read_file(const std::string& path, const std::string& asked_by) {
-    base::TextReader in = base::TextReader::from_file(path, asked_by);
+    base::TextReader in = base::TextReader::from_file(path, options_.opener(asked_by));
     const std::pair<uint64_t, uint64_t> id{in.device, in.inode};
     if (in.inode) {
         for (const auto& other : open_)

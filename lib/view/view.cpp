@@ -15,7 +15,6 @@
 
 #include "base/angle.h"
 #include "base/error.h"
-#include "base/files_read.h"
 #include "base/find_file.h"
 #include "base/options.h"
 #include "base/split.h"
@@ -63,8 +62,8 @@ void declare_options(base::OptionTable& t, View& v, const std::string& default_t
 
 void declare_file_option(base::OptionTable& t, std::function<void(const View&)> use) {
     const auto read = [=](base::Arguments& a) {
-        const std::string name = a.text(), &asker = a.asked_by();
-        use(read_view_file(asker.empty() ? name : base::beside(name, asker + ":1"), asker));
+        const std::string name = a.text(), &asker = a.opener().place;
+        use(read_view_file(asker.empty() ? name : base::beside(name, asker + ":1"), a.opener()));
     };
     t.add("-vf file", "Take the view from a view file or from the header of a picture", read).from_scene();
 }
@@ -107,8 +106,8 @@ bool is_view_line(const std::string& line) {
     return false;
 }
 
-void apply_view_file(View& v, const std::string& path, const std::string& asked_by) {
-    base::TextReader in = base::TextReader::from_file(path, asked_by);
+void apply_view_file(View& v, const std::string& path, const base::Opener& by) {
+    base::TextReader in = base::TextReader::from_file(path, by);
     bool any = false;
     std::string line, wrong;  // wrong: in the last line with a view, which counts
     line.reserve(256);
@@ -133,9 +132,9 @@ void apply_view_file(View& v, const std::string& path, const std::string& asked_
     if (!any) base::fail(path, "holds no view (no VIEW= line with a view option)");
 }
 
-View read_view_file(const std::string& path, const std::string& asked_by) {
+View read_view_file(const std::string& path, const base::Opener& by) {
     View v;
-    apply_view_file(v, path, asked_by);
+    apply_view_file(v, path, by);
     return v;
 }
 
@@ -184,7 +183,6 @@ std::vector<NamedView> read_views(const std::string& path, const View& start) {
     if (!from_stdin) file.open(path, std::ios::binary);
     std::istream& in = from_stdin ? std::cin : file;
     if (!in) base::fail_system(path, "cannot be read");
-    if (!from_stdin) base::note_file_read(path);
 
     std::vector<NamedView> all;
     View view = start;

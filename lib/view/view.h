@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <vector>
+#include "base/open_file.h"
 #include "base/vec.h"
 
 namespace base {
@@ -38,10 +39,10 @@ void declare_file_option(base::OptionTable& table, std::function<void(const View
 bool parse_line(View& v, const std::string& line, std::string* wrong = nullptr);
 // Lines that hold a view in headers and view files: VIEW= and the command lines of rpict, rvu and their kin.
 bool is_view_line(const std::string& line);
-// Last view of a view file or picture header; throws Error if there is none.  asked_by: as for base::open_file().
-View read_view_file(const std::string& path, const std::string& asked_by = "");
+// Last view of a view file or picture header; throws Error if there is none.  by: as for base::open_file().
+View read_view_file(const std::string& path, const base::Opener& by = {});
 // The same as rpict's -vf: options in the file override v, others stay.
-void apply_view_file(View& v, const std::string& path, const std::string& asked_by = "");
+void apply_view_file(View& v, const std::string& path, const base::Opener& by = {});
 // Every view of a file ("-": the standard input), as rpict -S reads them: each line that holds a view changes the view
 // before it, the first one `start`.  The name is the line's first word, if that is no option ("VIEW= desk -vta ...", or
 // rad's "view= desk -vta ..."); else empty.

@@ -104,8 +104,10 @@ TEST_CASE("a file that was read and has changed is the command scene, once") {
     const Fifo fifo;
     TempFolder folder;
     const std::string name = folder.holding("a.rad", "void");
-    base::note_file_read(name);
+    base::FilesRead files;
+    base::note_file_read(files, name);
     Control control(fifo.path, true);
+    control.watch(files);
     usleep(100000);
     std::ofstream(name) << "void glow";
     const auto all = edits(control);
@@ -117,21 +119,20 @@ TEST_CASE("a file that was read and has changed is the command scene, once") {
 }
 
 TEST_CASE("a file that an editor has emptied, to write it, counts as gone; one that was always empty does not") {
-    base::forget_files_read();
+    base::FilesRead files;
     TempFolder folder;
     const std::string name = folder.holding("a.rad", "void"), empty = folder.holding("b.rad", "");
-    base::note_file_read(name);
-    base::note_file_read(empty);
-    CHECK(!base::files_now().gone);
+    base::note_file_read(files, name);
+    base::note_file_read(files, empty);
+    CHECK(!base::files_now(files).gone);
     std::ofstream(name).close();
-    CHECK(base::files_now().gone);
+    CHECK(base::files_now(files).gone);
     std::ofstream(name) << "void glow";
-    CHECK(!base::files_now().gone);
-    CHECK(base::files_now().changed);
+    CHECK(!base::files_now(files).gone);
+    CHECK(base::files_now(files).changed);
 }
 
 TEST_CASE("a storm of commands loses none and keeps their order") {
-    base::forget_files_read();  // of the case before, which are gone: they would be an edit
     const Fifo fifo;
     Control control(fifo.path, true);
     constexpr int count = 2000;

@@ -31,7 +31,6 @@ std::string sky(double x) {
 
 struct Files : Folder {
     Files() {
-        base::forget_files_read();
         write("box.obj", box);
         write("sky.cal", "nothing = 0;");
         write("lamp.cal", "uneven = 1 + .5*Dz;");
@@ -45,10 +44,10 @@ struct Read {
 };
 
 LoadedScene load(const scene::Scene& scene, const std::shared_ptr<const render::LoadedRoom>& known = nullptr,
-                 RenderOptions options = {}) {
+                 RenderOptions options = {}, const scene::ReadOptions& how = {}) {
     options.room_text = scene::hash_of_objects(scene, flatten::surfaces_end(scene)).text();
     options.keep_room = true;
-    return load_scene(scene, options, {}, known);
+    return load_scene(scene, options, how, known);
 }
 
 void under(Read& read, const std::string& text) {
@@ -98,8 +97,8 @@ TEST_CASE("a room is not taken where something of it changed") {
     Read read;
     under(read, sky(.6));
     const auto room = load(read.scene).room;
-    const auto is_taken = [&](const RenderOptions& options = {}) {
-        return load(read.scene, room, options).room == room;
+    const auto is_taken = [&](const RenderOptions& options = {}, const scene::ReadOptions& how = {}) {
+        return load(read.scene, room, options, how).room == room;
     };
     CHECK(is_taken());
 
@@ -112,10 +111,13 @@ TEST_CASE("a room is not taken where something of it changed") {
     far.eye = base::Vec3{1, 1, 1};
     CHECK(is_taken(far));
 
-    base::set_overlay("lamp.cal", "uneven = 2;");
-    CHECK(!is_taken());
-    base::remove_overlay("lamp.cal");
-    CHECK(is_taken());
+    scene::ReadOptions edited;
+    edited.overlays = base::with_overlay({}, "lamp.cal", "uneven = 2;");
+    CHECK(!is_taken({}, edited));
+    edited.overlays = base::without_overlay(edited.overlays, "lamp.cal");
+    CHECK(edited.overlays.empty());
+    CHECK(is_taken({}, edited));
+    CHECK(base::paths_of(*edited.read) == base::paths_of(room->files));  // noted, though they were not read again
     Folder::write("box.obj", box + "f 1 3 4\n");
     CHECK(!is_taken());
 }

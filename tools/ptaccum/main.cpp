@@ -49,7 +49,6 @@ void refuse_to_overwrite(const Options& opt) {
         } catch (const base::Error&) {
             image::Picture first;
             if (input == "-" || !image::StreamReader(input).next(first) || !first.header.frames) throw;
-            base::may_replace(input);
         }
     }
 }

@@ -53,6 +53,7 @@ void read_pixel(const std::string& text, Options& opt) {
 
 void read_rif(const std::string& path, const std::vector<std::string>& assignments, OptionTable& t, Options& opt,
               std::optional<scene::RadInput>& rad_input) {
+    base::note_file_read(*opt.files.read, path);
     rad_input = scene::read_rad_input(path, assignments);
     t.read_scene_words(rad_input->options, path);
     opt.files.asked_by = path;

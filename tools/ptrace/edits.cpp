@@ -3,7 +3,6 @@
 #include "edits.h"
 
 #include "base/error.h"
-#include "base/overlay.h"
 #include "base/printable.h"
 #include "base/split.h"
 #include "declare.h"
@@ -16,10 +15,12 @@ void edit(const render::Command& c, size_t picture, Options& opt) {
     if (c.word == "scene" && words.empty()) return;  // nothing but the files
     if (c.word == "overlay" && c.text) {
         if (opt.files.exec) base::fail(place, "with -exec no text may replace a file: it could run programs");
-        return base::set_overlay(c.rest, *c.text);
+        return void(opt.files.overlays = base::with_overlay(opt.files.overlays, c.rest, *c.text));
     }
-    if (c.word == "overlay" && words.size() > 1 && words.back() == "-")
-        return base::remove_overlay(c.rest.substr(0, c.rest.find_last_not_of(" \t", c.rest.size() - 2) + 1));
+    if (c.word == "overlay" && words.size() > 1 && words.back() == "-") {
+        const std::string file = c.rest.substr(0, c.rest.find_last_not_of(" \t", c.rest.size() - 2) + 1);
+        return void(opt.files.overlays = base::without_overlay(opt.files.overlays, file));
+    }
     if (c.word == "size" && words.size() == 2) words = {"-x", words[0], "-y", words[1]};
     else if (c.word != "view" && c.word != "set" && c.word != "preview" && c.word != "go")
         base::fail(place, "\"" + base::excerpt(c.word + " " + c.rest) + "\" is not a command");

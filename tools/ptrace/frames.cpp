@@ -42,6 +42,11 @@ private:
     }
 };
 
+void write_to(const Options& opt, const std::string& file, const image::Picture& picture, image::WriteOptions how) {
+    base::refuse_to_overwrite({file}, base::paths_of(*opt.files.read));
+    image::write_file(file, picture, how);
+}
+
 }  // namespace
 
 image::Picture start_picture(const Options& opt, const Sky& sky, size_t i, const render::Session* session) {
@@ -76,7 +81,7 @@ void write_sum(const Options& opt, const film::Accumulator& sum, const std::stri
     if (image::needs_floats(picture.header)) how.pixels = image::Format::flt;
     if (opt.output.empty()) return image::write_picture_stdout(picture, how.pixels);
     image::add_date(picture.header);
-    image::write_file(output_name(opt.output, opt.last, label), picture, how);
+    write_to(opt, output_name(opt.output, opt.last, label), picture, how);
 }
 
 void write_frame(const Options& opt, const image::Picture& frame, film::Accumulator& sum) {
@@ -85,7 +90,7 @@ void write_frame(const Options& opt, const image::Picture& frame, film::Accumula
     as_float.pixels = image::Format::flt;
     if (opt.one_picture) sum.add(frame, fmt::format("frame {}", k));
     else if (opt.output.empty()) image::write_picture_stdout(frame, image::Format::flt);
-    else image::write_file(output_name(opt.output, k, image::label(frame.header)), frame, as_float);
+    else write_to(opt, output_name(opt.output, k, image::label(frame.header)), frame, as_float);
 }
 
 Ends ends_of(const Options& opt, render::Control& control, const std::string& label) {

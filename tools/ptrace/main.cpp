@@ -70,7 +70,9 @@ render::Setup setup_of(const Options& opt, size_t i, base::Progress& progress) {
 }
 
 void write_rule(const Options& opt) {
-    const std::string rule = base::make_rule(opt.rule_for, base::files_read());
+    const std::vector<std::string> files = base::paths_of(*opt.files.read);
+    const std::string rule = base::make_rule(opt.rule_for, files);
+    base::refuse_to_overwrite({opt.rule_file}, files);
     if (opt.rule_file.empty()) base::write_stdout(rule.data(), rule.size());
     else image::write_bytes(opt.rule_file, rule);
 }
@@ -79,7 +81,7 @@ void write_rule(const Options& opt) {
 void choose_focus(Options& opt) {
     if (opt.focus_file.empty()) return;
     image::DrawRegions draw;
-    image::MaskSet masks = region::open(opt.focus_file, draw, region::Check::empty);
+    image::MaskSet masks = region::open(opt.focus_file, draw, region::Check::empty, false, opt.files.read.get());
     for (auto& [name, v] : opt.views) {
         if (draw) masks = draw(v.view, v.nx, v.ny);
         v.focus = render::focus_on(masks, v.nx, v.ny, opt.focus_share, opt.focus_file);
@@ -127,6 +129,7 @@ bool apply_edits(Run& run, size_t i) {
         });
     if (words.last.empty()) return false;
     base::Progress progress("ptrace");
+    if (read) next.files.read = std::make_shared<base::FilesRead>();
     const auto change = [&](bool files) {
         choose_focus(next);
         render::Setup setup = setup_of(next, i, progress);
@@ -143,6 +146,11 @@ bool apply_edits(Run& run, size_t i) {
     };
     std::string failure = carry_out([&] { change(read); });
     if (read) run.failure = failure;
+    if (read && !failure.empty()) {
+        base::note_files(*next.files.read, base::noted_now(*run.opt.files.read));
+        run.opt.files.read = next.files.read;
+    }
+    run.control.watch(*run.opt.files.read);
     if (!failure.empty() && read && !others.last.empty()) {
         words = others;
         run.note.clear();  // it was for the files
@@ -262,6 +270,7 @@ int render_all(Options options) {
                                                 : Next::nothing);
         if (!opt.rule_for.empty() && last) write_rule(opt);
         if (only_rule) continue;
+        run.control.watch(*opt.files.read);
         if (is_first && !run.session->may_have_light())
             base::warn("scene", "none of its materials gives light: is the sky missing?");
         if (opt.pixel) return write_pixel(opt, *run.session), 0;

@@ -12,6 +12,7 @@
 #include "base/error.h"
 #include "base/model_folder.h"
 #include "base/run.h"
+#include "base/split.h"
 #include "base/warnings.h"
 #include "declare.h"
 #include "hours.h"
@@ -64,11 +65,13 @@ void choose_views(const std::optional<scene::RadInput>& rad_input, const std::st
         if (std::count(opt.views_files.begin(), opt.views_files.end(), "-") > 1)
             base::fail("-views", "the standard input is read once");
         const view::View start = opt.view;
-        for (const std::string& file : opt.views_files)
+        for (const std::string& file : opt.views_files) {
+            if (file != "-") base::note_file_read(*opt.files.read, file);
             for (const view::NamedView& v : view::read_views(file, start)) {
                 opt.view = v.view;
                 add_view(v.name.empty() ? std::to_string(opt.first_view + int64_t(opt.views.size())) : v.name, opt);
             }
+        }
     } else if (all) {
         for (size_t k = 0; k < rad_input->views.size(); ++k) {
             const std::string number = std::to_string(k + 1), name = rad_input->views[k].name;
@@ -87,6 +90,9 @@ void choose_hours(const base::OptionTable& table, Options& opt) {
     opt.files.skies = opt.second_sky ? Skies::any : opt.weather.empty() ? Skies::one : Skies::of_weather;
     if (opt.weather.empty()) return;
     if (!opt.skies.empty()) base::fail("-wea", "has its own skies; -sky is for those of files");
+    base::note_file_read(*opt.files.read, opt.weather);
+    for (const std::string& word : base::split_words(opt.hours))
+        if (word[0] == '@') base::note_file_read(*opt.files.read, word.substr(1));  // a schedule
     HourSkies hours = skies_of_hours(opt.weather, opt.hours, opt.hour_options, opt.render.seed);
     if (hours.skies.empty()) base::fail("-hours", "this share holds no hour");
     opt.skies = std::move(hours.skies);
@@ -192,6 +198,7 @@ std::optional<int> parse(int argc, char** argv, const std::vector<std::string>& 
     }
     opt.scene_files = base::open_folders(opt.scene_files, opt.files);
     choose_views(rad_input, rad_input && !operands->empty() ? operands->front() : "", table, opt);
+    base::note_files(*opt.files.read, table.files_read());
     opt.command = table.command();
     opt.render.names = opt.pixel || !opt.control.empty();
     if (opt.one_picture) {
@@ -221,11 +228,11 @@ std::optional<int> parse(int argc, char** argv, const std::vector<std::string>& 
 void read_points(Options& opt) {
     const image::GridFiles before = std::move(opt.grid_files);
     image::GridFiles& files = opt.grid_files = {};
-    for (const image::PointFile& file : image::point_files(opt.points_files)) {
+    for (const image::PointFile& file : image::point_files(opt.points_files, opt.files.read.get())) {
         const auto known = std::find_if(before.begin(), before.end(), [&](const image::GridFile& f) {
             return file.path == "-" && f.path == "stdin";  // which is read once
         });
-        files.push_back(known == before.end() ? image::read_points(file) : *known);
+        files.push_back(known == before.end() ? image::read_points(file, opt.files.opener("")) : *known);
     }
     opt.grids = image::grids_of(files, opt.sensors.value_or(true));
     auto list = std::make_shared<render::PointList>();

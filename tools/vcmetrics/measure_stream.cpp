@@ -119,7 +119,7 @@ int measure_all(const Options& o) {
         return status;
     };
     for (const std::string& file : from_files ? o.files : std::vector<std::string>{"-"}) {
-        image::StreamReader reader(file, pixels_for(o));
+        image::StreamReader reader(file, pixels_for(o), o.scene_options.opener(""));
         for (long index = 0; reader.next(picture); ++index) {
             base::finish_on_signal();  // from the first picture on: its line is finished
             if (!picture.header.grids.empty() || !grids.columns.empty()) {

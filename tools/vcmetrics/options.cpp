@@ -15,7 +15,6 @@
 #include "base/text_file.h"
 #include "base/warnings.h"
 #include "base/model_folder.h"
-#include "base/overlay.h"
 #include "declare.h"
 #include "image/stream.h"
 
@@ -93,9 +92,11 @@ void check(const Options& o) {
     } else if (!o.scene.empty() || !o.numbers_file.empty() || !o.overlays.empty() || !o.plan_map.empty()) {
         base::fail("-scene, -numbers, -overlay, -plan", "belong to -report");
     }
-    for (const std::string& drawn : {o.over_file, o.check_file, o.report_file})
-        if (!drawn.empty())
-            base::refuse_to_overwrite({drawn}, o.files.empty() ? std::vector<std::string>{"-"} : o.files);
+    std::vector<std::string> inputs = o.files.empty() ? std::vector<std::string>{"-"} : o.files;
+    inputs.insert(inputs.end(), {o.regions_file, o.settings.mask_file.value_or(""), o.against});
+    inputs.insert(inputs.end(), o.scene.begin(), o.scene.end());
+    inputs.insert(inputs.end(), o.points_files.begin(), o.points_files.end());
+    base::refuse_to_overwrite({o.over_file, o.check_file, o.report_file}, inputs);
     if (o.go_on && (o.until.empty() || !o.control.empty()))
         base::fail("-go-on", "needs -until, and cannot be used with -control");
     if (!o.against.empty() && o.against != "previous" && o.against != "first" && !std::ifstream(o.against))
@@ -122,7 +123,8 @@ void complete_for_report(Options& o) {
     o.scene_options.raypath = base::raypath_from_environment();
     o.scene_options.work = base::work_budget_from_environment();
     o.scene = base::open_folders(o.scene, o.scene_options);
-    for (const auto& [file, text] : o.overlays) base::set_overlay(file, base::read_text_file(text));
+    for (const auto& [file, text] : o.overlays)
+        o.scene_options.overlays = base::with_overlay(o.scene_options.overlays, file, base::read_text_file(text));
 }
 
 }  // namespace
@@ -134,6 +136,7 @@ std::optional<int> parse_options(int argc, char** argv, Options& o) {
     const auto operands = table.parse(argc, argv);
     if (!operands) return 0;
 
+    base::note_files(*o.scene_options.read, table.files_read());
     o.command = table.command();
     if (!o.warnings) base::set_warning_sink({});
     if (says_view(table)) o.view = view;

@@ -209,7 +209,7 @@ void add_sky(const Options& o, const std::vector<std::string>& files, const imag
     if (o.scene.empty()) return;
     for (const std::string& file : files) {
         if (!base::ends_with(file, ".rad") && !base::ends_with(file, ".sky")) continue;
-        std::istringstream text(base::read_text_file(file, size_t(1) << 26));
+        std::istringstream text(base::read_text_file(file, size_t(1) << 26, o.scene_options.opener("")));
         for (std::string line; std::getline(text, line);)
             for (const char* const program : {"gensky ", "gendaylit "})
                 if (const size_t at = line.find(program); at != std::string::npos &&
@@ -223,12 +223,10 @@ void add_files(const Options& o, const std::vector<std::string>& files, Page& pa
     std::error_code absent;
     for (const std::string& file : files) {
         const auto changed = [&](const auto& overlay) { return overlay.first == file; };
-        const auto inner = [&](const auto& overlay) { return overlay.second == file; };
-        if (file == o.numbers_file || !std::filesystem::is_regular_file(file, absent) ||
-            std::any_of(o.overlays.begin(), o.overlays.end(), inner))
-            continue;
+        if (!std::filesystem::is_regular_file(file, absent)) continue;
         const bool is_changed = std::any_of(o.overlays.begin(), o.overlays.end(), changed);
-        page.files.push_back({file + (is_changed ? " (as changed in the page)" : ""), base::sha256_of_file(file)});
+        page.files.push_back({file + (is_changed ? " (as changed in the page)" : ""),
+                              base::sha256_of_file(file, o.scene_options.overlays)});
     }
 }
 
@@ -280,12 +278,13 @@ void write_report(const Options& o, const image::Picture& picture, const RunStat
     add_regions(o, picture, g, page);
     add_sources(o, picture, run, row.measurement, page);
     add_drawings(picture, page);
-    const std::vector<std::string> files = base::files_read();
+    const std::vector<std::string> files = base::paths_of(*o.scene_options.read);
     add_sky(o, files, picture.header, page);
     add_files(o, files, page);
     add_commands(o, picture, page);
     if (!o.plan_map.empty()) page.plan = {base::read_text_file(o.plan_map, longest_map), recorded(o.plan_numbers)};
     page.version = std::string("luxpipe ") + LUXPIPE_VERSION;
     const std::string text = report::page_text(page);
+    base::refuse_to_overwrite({o.report_file}, files);
     image::write_bytes(o.report_file, text);
 }

@@ -119,7 +119,9 @@ RunPlan plan_run(const Options& o) {
     glare::Plan measured;
     measured.settings = o.settings;
     if (!o.regions_file.empty())
-        measured.regions = region::open(o.regions_file, measured.draw, region::Check::empty_and_small, true);
+        measured.regions = region::open(o.regions_file, measured.draw, region::Check::empty_and_small, true,
+                                        o.scene_options.read.get());
+    base::refuse_to_overwrite({o.over_file, o.check_file, o.report_file}, base::paths_of(*o.scene_options.read));
     const std::vector<std::string> regions = region_names(measured);
     if (measured.regions && regions.empty()) base::warn(o.regions_file, "holds no region");
     for (const std::string& text : o.contrast_pairs) out.pairs.push_back(parse_pair(text));

@@ -40,6 +40,12 @@ image::Picture single_mask(const region::Regions& regions, const Options& opt, c
     return p;
 }
 
+// What the regions and the scene name besides the files of the command line (options.cpp) is not overwritten either.
+void refuse_to_overwrite(const std::vector<std::string>& outputs, const region::Regions& regions, const Options& opt) {
+    base::refuse_to_overwrite(outputs, region::mask_files(regions));
+    base::refuse_to_overwrite(outputs, base::paths_of(*opt.files.read));
+}
+
 std::string points_text(const region::Regions& regions, size_t k, const Options& opt, const region::SceneView* scene) {
     std::string text = fmt::format("# {}\n", regions.regions[k].name);
     for (const image::Point& point : region::sensors_of(regions, k, opt.spacing, opt.height, scene))
@@ -64,7 +70,7 @@ void write_points(const region::Regions& regions, const Options& opt, const regi
     }
     for (const std::string& name : opt.outputs)
         if (name.back() != '/') files.push_back({name, all});
-    for (const auto& [name, text] : files) image::write_bytes(name, text);
+    for (const auto& [name, text] : files) refuse_to_overwrite({name}, regions, opt), image::write_bytes(name, text);
     if (opt.outputs.empty()) base::write_stdout(all.data(), all.size()), base::flush_stdout();
 }
 
@@ -93,6 +99,7 @@ int work(int argc, char** argv) {
     view::validate(opt.view);
     if (opt.over.empty()) view::fit_size(opt.view, opt.pixel_aspect, opt.nx, opt.ny);
     const std::unique_ptr<region::SceneView> scene = visibility::open_scene(opt.scene, opt.files);
+    refuse_to_overwrite(opt.outputs, regions, opt);
 
     image::MaskSet set;
     std::vector<region::Extent> extents;

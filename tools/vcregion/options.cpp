@@ -97,6 +97,7 @@ std::optional<int> parse_options(int argc, char** argv, Options& o) {
     const auto operands = table.parse(argc, argv);
     if (!operands) return 0;
 
+    base::note_files(*o.files.read, table.files_read());
     o.command = table.command();
     o.view_given = says_view(table);
     if (!operands->empty()) {

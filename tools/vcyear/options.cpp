@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/files_read.h"
 #include "base/options.h"
 #include "base/warnings.h"
 #include "image/stream.h"
@@ -75,6 +76,9 @@ std::optional<int> parse_options(int argc, char** argv, Options& o) {
     if (o.tables.empty()) base::fail("", "no table; vcyear -help lists the options");
     if (o.next && o.worst > 0) base::fail("-next", "prints other lines than -worst; ask for one of them");
     if (!o.plot.empty()) image::require_writable_ending(o.plot, {".svg", ".png"});
+    std::vector<std::string> inputs = o.tables;
+    for (const auto& more : {o.closed, o.direct, o.points}) inputs.insert(inputs.end(), more.begin(), more.end());
+    base::refuse_to_overwrite({o.plot}, inputs);
     if (!o.warnings) base::set_warning_sink({});
     return std::nullopt;
 }
