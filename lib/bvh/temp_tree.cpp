@@ -3,6 +3,7 @@
 #include "bvh/temp_tree.h"
 
 #include <algorithm>
+#include <exception>
 #include <mutex>
 
 namespace bvh {
@@ -12,13 +13,19 @@ namespace {
 struct Watch {
     const Tell& tell;
     std::mutex one_at_a_time;
+    std::exception_ptr given_up;
 };
 
 bool watched(void* user, double share) {
     auto* watch = static_cast<Watch*>(user);
     const std::unique_lock<std::mutex> hold(watch->one_at_a_time, std::try_to_lock);
-    if (hold.owns_lock()) watch->tell(std::min(share, 1.0));
-    return true;  // go on
+    if (!hold.owns_lock()) return true;  // go on
+    try {
+        if (!watch->given_up) watch->tell(std::min(share, 1.0));
+    } catch (...) {  // no exception may pass through Embree
+        watch->given_up = std::current_exception();
+    }
+    return !watch->given_up;
 }
 
 }  // namespace
@@ -57,10 +64,12 @@ TempNode* build_temp_tree(RTCBVH bvh, std::vector<RTCBuildPrimitive>& prims, con
         std::sort(leaf->prim, leaf->prim + n);  // threads may partition in any order; results must not depend on it
         return leaf;
     };
-    Watch watch{settings.tell, {}};
+    Watch watch{settings.tell, {}, nullptr};
     args.userPtr = &watch;
     if (settings.tell) args.buildProgress = watched;
-    return static_cast<TempNode*>(rtcBuildBVH(&args));
+    auto* root = static_cast<TempNode*>(rtcBuildBVH(&args));
+    if (watch.given_up) std::rethrow_exception(watch.given_up);
+    return root;
 }
 
 }  // namespace bvh

@@ -27,9 +27,9 @@ Room flatten_room(const scene::Scene& scene, const Options& options, const scene
     write_modifiers(std::move(tables), draft);
 
     // Surfaces: tree 0 is the scene with the places of its instances, the others are what these hold.
-    flatten_geometry(modifiers, instances, options.eye ? &*options.eye : nullptr, draft, lights);
+    flatten_geometry(modifiers, instances, options.eye ? &*options.eye : nullptr, *files.work, draft, lights);
     FlatScene& out = room.tables = std::move(draft).finished();
-    out.built = build_trees(out, options);
+    out.built = build_trees(out, options, *files.work);
     warn_of_coincident(modifiers, out);
 
     Sources sources;

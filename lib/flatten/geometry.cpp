@@ -34,15 +34,15 @@ void add_tree(Draft& out, const Fill& fill) {
 }
 }  // namespace
 
-void flatten_geometry(const Modifiers& modifiers, const Instances& instances, const Viewpoint* eye, Draft& out,
-                      Lights& lights) {
+void flatten_geometry(const Modifiers& modifiers, const Instances& instances, const Viewpoint* eye,
+                      const base::WorkBudget& work, Draft& out, Lights& lights) {
     Box all;
     out.boxes = surface_boxes(modifiers.scene, all);
     instances.add_boxes(out.boxes);
     out.centre = centre_of(out.boxes, eye);
     out.radius = radius_of(out.boxes);
 
-    add_tree(out, [&] { flatten_surfaces(modifiers.scene, &modifiers, out.centre, out, &lights); });
+    add_tree(out, [&] { flatten_surfaces(modifiers.scene, &modifiers, out.centre, work, out, &lights); });
     for (size_t tree = 1; tree <= instances.tree_count(); tree++)
         add_tree(out, [&] { instances.write_tree(tree, out); });
     instances.write_records(out);
@@ -70,7 +70,7 @@ void Instances::add_boxes(std::vector<Box>& boxes) const {
 void Instances::write_tree(size_t tree, Draft& out) const {
     const Tree& t = trees_[tree - 1];
     if (t.mesh) flatten_mesh(*t.mesh, t.modifiers, t.materials, t.centre, out);
-    else flatten_surfaces(*t.scene, t.modifiers, t.centre, out, nullptr);
+    else flatten_surfaces(*t.scene, t.modifiers, t.centre, *files_.work, out, nullptr);
 }
 
 void Instances::write_records(Draft& out) const {

@@ -266,10 +266,13 @@ static void make_room_for_polygons(const scene::Scene& scene, Draft& out) {
     out.make_room(corners, corners - 2 * polygons, polygons);
 }
 
-void flatten_surfaces(const scene::Scene& scene, const Modifiers* modifiers, Vec3 centre, Draft& out, Lights* lights) {
+void flatten_surfaces(const scene::Scene& scene, const Modifiers* modifiers, Vec3 centre, const base::WorkBudget& work,
+                      Draft& out, Lights* lights) {
+    constexpr size_t objects_a_check = 4096;  // some milliseconds
     make_room_for_polygons(scene, out);
     SurfaceWriter writer(scene, modifiers, centre, out, lights);
     for (const Object& o : scene.objects) {
+        if (size_t(&o - scene.objects.data()) % objects_a_check == 0) work.check();
         if (!scene::is_surface(o.type) || o.type == Type::source || o.type == Type::mesh || o.type == Type::instance)
             continue;
         // rays pass a chain without material

@@ -39,14 +39,14 @@ struct Lights {
 
 // All trees: the scene's own, with the places of its instances, then what these hold.
 // eye: for the origin of the tables (centre_of).
-void flatten_geometry(const Modifiers& modifiers, const Instances& instances, const Viewpoint* eye, Draft& out,
-                      Lights& lights);
+void flatten_geometry(const Modifiers& modifiers, const Instances& instances, const Viewpoint* eye,
+                      const base::WorkBudget& work, Draft& out, Lights& lights);
 
 // The surfaces of one scene, its meshes and instances left out, as part of the current tree with the origin `centre`.
 // modifiers: null if those of an instance replace them all.  lights: null inside an instance, where nothing may be a
 // source, a relay or a window.
-void flatten_surfaces(const scene::Scene& scene, const Modifiers* modifiers, base::Vec3 centre, Draft& out,
-                      Lights* lights);
+void flatten_surfaces(const scene::Scene& scene, const Modifiers* modifiers, base::Vec3 centre,
+                      const base::WorkBudget& work, Draft& out, Lights* lights);
 
 // A mesh as the current tree.  materials: of an .obj, objects of modifiers->scene by the mesh's own numbers.
 void flatten_mesh(const scene::Mesh& mesh, const Modifiers* modifiers, const std::vector<int32_t>& materials,

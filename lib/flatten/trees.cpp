@@ -45,14 +45,18 @@ std::string hash_of_inputs(const FlatScene& s) {
 
 }  // namespace
 
-Trees build_trees(const FlatScene& s, const Options& options) {
+Trees build_trees(const FlatScene& s, const Options& options, const base::WorkBudget& work) {
     Trees out;
     out.inputs = hash_of_inputs(s);
     if (options.known.inputs == out.inputs) out = options.known;
     const std::vector<bvh::Input> in = build_inputs(s);
-    if (!out.wide) out.wide = std::make_shared<const bvh::Tree>(bvh::build8(in.data(), in.size(), options.tell_tree));
+    const bvh::Tell tell = [&](double share) {
+        work.check();
+        if (options.tell_tree) options.tell_tree(share);
+    };
+    if (!out.wide) out.wide = std::make_shared<const bvh::Tree>(bvh::build8(in.data(), in.size(), tell));
     if (options.compact_tree && !out.compact)
-        out.compact = std::make_shared<const bvh::Tree>(bvh::build_compact(in.data(), in.size(), options.tell_tree));
+        out.compact = std::make_shared<const bvh::Tree>(bvh::build_compact(in.data(), in.size(), tell));
     return out;
 }
 

@@ -52,7 +52,7 @@ LoadedScene load_scene(const scene::Scene& scene, const RenderOptions& options, 
     const auto light = [&](const LoadedRoom& room, flatten::Room surfaces) {
         out.mirrors_sources = !surfaces.relays.empty();
         flat = flatten::add_distant(std::move(surfaces), scene, options, files);
-        if (options.sampling != Sampling::plain) sampling::find_targets(flat, room.windows);
+        if (options.sampling != Sampling::plain) sampling::find_targets(flat, room.windows, *files.work);
         if (!sampling::suns_of(flat).empty()) out.smooth = room.smooth;
     };
     if (known && is_same(*known, options, files)) {

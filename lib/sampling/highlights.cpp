@@ -24,6 +24,7 @@ constexpr double LEAST_COSINE = .02;                    // between a patch's nor
 constexpr size_t MOST_POLISHED = 64, MOST_KNOWN = 1024;
 constexpr int RAYS = 256;  // from each patch
 constexpr int LEAST_LIT = 3;
+constexpr size_t TRIANGLES_A_CHECK = 1024;  // some milliseconds
 
 struct CoplanarPatch {
     Vec3 p, n, sun;
@@ -50,12 +51,15 @@ const float* glossy_args(const flatten::FlatScene& scene, uint32_t prim) {
 
 class Search {
 public:
-    explicit Search(const flatten::FlatScene& scene) : scene_(scene), tracer_(scene) {}
+    Search(const flatten::FlatScene& scene, const base::WorkBudget& work)
+        : scene_(scene), work_(work), tracer_(scene) {}
 
     std::vector<CoplanarPatch> patches(const std::vector<Vec3>& suns) {
         const flatten::FlatScene::Tree& tree = scene_.trees.at(0);
-        for (size_t t = tree.first_triangle; t < tree.first_triangle + tree.triangle_count; t++)
+        for (size_t t = tree.first_triangle; t < tree.first_triangle + tree.triangle_count; t++) {
+            if (t % TRIANGLES_A_CHECK == 0) work_.check();
             for (const Vec3& sun : suns) add(t, sun);
+        }
         largest_first(MOST_POLISHED, [](const CoplanarPatch& s) { return s.area * s.specular; });
         for (CoplanarPatch& patch : patches_) {
             // All lit, this patch and the smaller ones after it would reflect less.
@@ -72,6 +76,7 @@ public:
 
 private:
     const flatten::FlatScene& scene_;
+    const base::WorkBudget& work_;
     const flatten::HostTracer tracer_;
     std::vector<CoplanarPatch> patches_;
     std::map<int, std::vector<size_t>> facing_;  // patches by their normals, for scenes of millions of triangles
@@ -159,10 +164,10 @@ private:
 
 }  // namespace
 
-void find_highlights(flatten::FlatScene& scene) {
+void find_highlights(flatten::FlatScene& scene, const base::WorkBudget& work) {
     const std::vector<Vec3> suns = suns_of(scene);
     if (suns.empty()) return;
-    for (const CoplanarPatch& patch : Search(scene).patches(suns)) {
+    for (const CoplanarPatch& patch : Search(scene, work).patches(suns)) {
         const Vec3 corner = patch.p + patch.u * patch.lo[0] + patch.v * patch.lo[1] - scene.centre;
         const Vec3 u = patch.u * (patch.hi[0] - patch.lo[0]), v = patch.v * (patch.hi[1] - patch.lo[1]);
         const Vec3 dir = patch.sun - patch.n * (2 * dot(patch.n, patch.sun));

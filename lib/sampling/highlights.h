@@ -3,10 +3,12 @@
 // (kernels/sampling/highlights.h), and writes their records into the scene's arena.  Unbiased for any choice of
 // rectangles.
 #pragma once
+#include "base/work_budget.h"
 #include "flatten/flat_scene.h"
 
 namespace sampling {
 
-void find_highlights(flatten::FlatScene& scene);
+// work: is looked up from.
+void find_highlights(flatten::FlatScene& scene, const base::WorkBudget& work);
 
 }  // namespace sampling

@@ -8,8 +8,8 @@
 namespace sampling {
 
 // Appends the records of highlights and portals to the scene's tables.
-inline void find_targets(flatten::FlatScene& scene, const std::vector<Target>& windows) {
-    find_highlights(scene);
+inline void find_targets(flatten::FlatScene& scene, const std::vector<Target>& windows, const base::WorkBudget& work) {
+    find_highlights(scene, work);
     find_portals(scene, windows);
 }
 

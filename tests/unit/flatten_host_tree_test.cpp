@@ -108,7 +108,7 @@ TEST_CASE("who waits for a tree is told how far it is") {
     std::vector<double> told;
     flatten::Options options;
     options.tell_tree = [&](double share) { told.push_back(share); };
-    build_trees(std::move(flat).finished(), options);
+    build_trees(std::move(flat).finished(), options, base::WorkBudget());
     REQUIRE(told.size() > 1);
     CHECK(told.front() < .9);
     for (double share : told) CHECK((share > 0 && share <= 1));

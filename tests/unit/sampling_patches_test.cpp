@@ -29,7 +29,7 @@ flatten::FlatScene room(const std::string& more) {
                                   "paint polygon wall 0 0 12 0 -9 0 0 9 0 0 9 9 0 -9 9\n"
                                << more;
     flatten::FlatScene scene = flatten::flatten(scene::read_scene({file.path()}, {}), {}, {});
-    sampling::find_targets(scene, sampling::find_windows(scene));
+    sampling::find_targets(scene, sampling::find_windows(scene), base::WorkBudget());
     return scene;
 }
 

@@ -254,6 +254,31 @@ TEST_CASE("nesting, self-inclusion and array bombs end in an error, soon and in 
           "t.rad:1: the command is longer than a million characters");
 }
 
+TEST_CASE("a reader looks up from its work often, and gives up where nobody wants the scene") {
+    int looks = 0;
+    scene::ReadOptions how;
+    how.work = std::make_shared<base::WorkBudget>(base::WorkBudget::usual_limit, [&] {
+        if (++looks == 3) throw base::GivenUp{};
+    });
+    CHECK_THROWS_AS(read_text(plastic + "!genbox m b 1 1 1 | xform -a 999999 -t 1 0 0", how), base::GivenUp);
+    CHECK(looks == 3);
+}
+
+TEST_CASE("texts stand for files in the readings that have them, and each reading has its own list of files") {
+    const Folder folder;
+    Folder::write("a.rad", plastic + "!xform -t 0 0 0 b.rad\n");
+    Folder::write("b.rad", "m sphere s 0 0 4 0 0 0 1\n");
+    scene::ReadOptions disk, edited;
+    edited.overlays = base::with_overlay({}, "./b.rad", "m sphere s 0 0 4 0 0 0 2\nm sphere t 0 0 4 9 0 0 1\n");
+    CHECK(scene::read_scene({"a.rad"}, edited).objects.size() == 3);
+    CHECK(scene::read_scene({"a.rad"}, disk).objects.size() == 2);
+    CHECK(base::paths_of(*disk.read) == std::vector<std::string>{"a.rad", "b.rad"});
+    CHECK(base::are_unchanged(*disk.read, disk.overlays));
+    CHECK(!base::are_unchanged(*disk.read, edited.overlays));
+    Folder::write("b.rad", "m sphere s 0 0 4 0 0 0 3\n\n");  // a saved file is another one
+    CHECK(scene::read_scene({"a.rad"}, edited).objects.size() == 2);
+}
+
 TEST_CASE("unreadable files are errors") {
     CHECK(error_of([] { scene::read_scene({"/no/such.rad"}, {}); }).find("/no/such.rad: cannot be read: No such") == 0);
     CHECK(error_of([] { scene::read_scene({"/"}, {}); }) == "/: \"/\" is a directory");
