@@ -34,7 +34,14 @@ class Device {
 public:
     virtual ~Device() = default;
     virtual std::string name() const = 0;
-    // Uploads the scene, in place of the previous one.  The CPU reads its tables in place.
+    // Holds this scene, in place of another one.
+    void hold(const std::shared_ptr<const flatten::FlatScene>& scene) {
+        if (held_.lock() == scene) return;
+        held_.reset();
+        upload(scene);
+        held_ = scene;
+    }
+    // Uploads it.  The CPU reads its tables in place.
     virtual void upload(std::shared_ptr<const flatten::FlatScene> scene) = 0;
     // Runs par.path_count paths; rgb gets 3 floats for each path or, with path reuse, for each sample of the picture's
     // pixels.
@@ -70,6 +77,9 @@ protected:
         if (wish_ && *wish_ == Wish::end) throw Cancelled{};
     }
     const std::atomic<Wish>* wish_ = nullptr;
+
+private:
+    std::weak_ptr<const flatten::FlatScene> held_;
 };
 
 // name: "cpu" or, for tests, "cpu:NAME": one path at a time (baseline, avx2), or paths side by side (lanes8, lanes16;

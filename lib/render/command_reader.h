@@ -13,6 +13,8 @@ namespace render {
 struct Command {
     std::string word, rest;                          // the first word of the line, and what follows it
     std::optional<std::string> text = std::nullopt;  // of "overlay FILE BYTES", whose rest is FILE
+
+    bool reads_files() const { return word == "scene" || word == "overlay"; }
 };
 
 class CommandReader {

@@ -54,6 +54,8 @@ void Control::look_for_wish() {
     const size_t pauses = size_t(std::count_if(commands_.begin(), commands_.end(), is_pause));
     using device::Wish;
     const bool edit = first != commands_.end() && is_edit(*first);
+    const auto reads = [](const Command& c) { return c.reads_files(); };
+    files_wait_ = edit && std::any_of(first, commands_.end(), reads);
     wish_ = edit ? Wish::end : !commands_.empty() && commands_.size() == pauses ? Wish::wait : Wish::go_on;
 }
 

@@ -38,9 +38,10 @@ public:
     // Answers the words of "what", between two frames.
     void answer_with(std::function<void(const std::string& words)> answer) { answer_ = std::move(answer); }
     bool edited() const { return !edits_.empty(); }
-    // end: an edit waits, so the current frame need not be finished; wait: it is paused (Renderer::heed).
+    // end: an edit waits, so the current frame need not be finished; wait: it is paused (device::Device::heed).
     const std::atomic<device::Wish>& wish() const { return wish_; }
     bool edit_waits() const { return wish_ == device::Wish::end; }
+    bool files_wait() const { return files_wait_; }  // an edit of them waits, so they need not be read to the end
     std::vector<Command> take_edits() { return std::exchange(edits_, {}); }
     // Called when nothing is left to render: waits for an edit, a signal or, if it ends the picture of this label,
     // "next".
@@ -64,6 +65,7 @@ private:
     std::vector<Command> edits_;  // of ends_picture()
     std::function<void(const std::string& words)> answer_;
     std::atomic<device::Wish> wish_{device::Wish::go_on};
+    std::atomic<bool> files_wait_{false};
     bool watch_;
     base::FilesRead files_;
     uint64_t seen_ = 0, told_ = 0;  // states of the files: the last one, and the last one reported

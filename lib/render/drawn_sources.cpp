@@ -80,12 +80,10 @@ DrawnSources find_drawn_sources(device::Device& device, const LoadedScene& scene
     if (!images || scene.smooth.none()) return out;
     SunImages found = possible_images(flat, tracer, scene.smooth, view, nx, ny);
     const device::Params marked = device::with_view(par, view_tables({out.straight, {{}, found.sources, 1}}, flat));
-    try {
-        if (scene.smooth.curved && !found.sources.empty())
-            find_curved_images(device, marked, flat, scene.smooth, view, found);
-        keep_lit_images(device, marked, view, found);
-        if (!found.discs.empty()) out.images = std::move(found);
-    } catch (const device::Cancelled&) {}  // another view comes
+    if (scene.smooth.curved && !found.sources.empty())
+        find_curved_images(device, marked, flat, scene.smooth, view, found);
+    keep_lit_images(device, marked, view, found);
+    if (!found.discs.empty()) out.images = std::move(found);
     return out;
 }
 

@@ -3,7 +3,7 @@
 // besides seed and frame number.  The scene enters by the flat tables that are uploaded: names of files, dates,
 // comments and spelling of values have no effect, but every number that a device reads has; function and data files,
 // BSDFs and fonts are in the tables.  Devices and threads give the same bits and do not enter; a device that gives
-// others is named after it (Renderer::fingerprint).
+// others is named after it (plan_view()).
 #pragma once
 #include <string>
 #include "base/hash.h"

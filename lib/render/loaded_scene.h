@@ -29,6 +29,10 @@ struct LoadedScene {
     base::Hash geometry;                     // of the fingerprint
     sampling::SmoothSurfaces smooth;         // that may mirror its sun, if it has one
     std::shared_ptr<const LoadedRoom> room;  // with RenderOptions::keep_room
+    // By load() (setup.h):
+    std::shared_ptr<const char> text;  // SceneText::id
+    std::string made_by;               // hash of options
+    std::vector<std::string> history;  // of the scene's files
 };
 
 // Flattens a scene and finds where its diffuse directions are to be aimed.  known: the room of another scene, or null;

@@ -13,9 +13,7 @@
 #include "render/beyond_limit.h"
 #include "render/frame_zero.h"
 #include "render/learn.h"
-#include "render/make_device.h"
 #include "render/pixel_moments.h"
-#include "render/seen.h"
 
 namespace render {
 using namespace kernels;
@@ -85,6 +83,7 @@ std::vector<float> picture_of(const ViewPlan& plan, std::vector<float> rgb) {
 
 void render_frames(device::Device& device, const ViewPlan& plan, int64_t first, int64_t count, bool moments,
                    const GiveFrame& give) {
+    device.hold(plan.scene.tables);
     const int64_t end = first + count;
     const bool of_zero = first == 0 || end - 1 > plan.m || plan.m % 2 == 0 || plan.noisy_share > 0;  // frame_of()
     const FrameZero zero = of_zero ? draw_frame_zero(device, plan) : FrameZero();
@@ -101,77 +100,8 @@ void render_frames(device::Device& device, const ViewPlan& plan, int64_t first, 
     });
 }
 
-Renderer::Renderer(const std::string& device) : device_(make_device(device)) {}
-
-Renderer::Renderer(const scene::Scene& scene, const RenderView& view, const RenderOptions& options,
-                   const std::string& device, const scene::ReadOptions& files)
-    : Renderer(device) {
-    load(scene, options, files);
-    select_view(view, options);
-}
-
-Renderer::Renderer(const scene::Scene& scene, const view::View& view, int nx, int ny, const RenderOptions& options,
-                   const std::string& device, const scene::ReadOptions& files)
-    : Renderer(scene, RenderView{view, nx, ny}, options, device, files) {}
-
-Renderer::~Renderer() = default;
-
-void Renderer::load(const scene::Scene& scene, RenderOptions options, const scene::ReadOptions& files) {
-    if (scene_.tables) options.known = scene_.tables->built;
-    options.compact_tree = device_->compact_tree();
-    LoadedScene loaded = load_scene(scene, options, files, scene_.room);
-    device_->upload(loaded.tables);
-    scene_ = std::move(loaded);
-    plan_ = {};
-}
-
-bool Renderer::is_near(const RenderView& v) const {
-    const flatten::Viewpoint from = viewpoint_of(v);
-    return flatten::centre_of(scene_.tables->boxes, &from) == scene_.tables->centre;
-}
-
-void Renderer::select_view(const RenderView& v, const RenderOptions& options) {
-    plan_ = plan_view(*device_, scene_, v, options);
-}
-
-void Renderer::heed(const std::atomic<device::Wish>* wish) { device_->heed(wish); }
-
-std::string Renderer::fingerprint() const {
-    const std::string bits = device_->own_bits();
-    return plan_.fingerprint + (bits.empty() ? "" : " device:" + bits);
-}
-
-uint32_t Renderer::samples_per_frame() const {
-    return plan_.sampling.samples_per_frame * std::max(1u, plan_.points.copies);
-}
-
-std::string Renderer::device_name() const { return device_->name(); }
-
-void Renderer::frames(int64_t first, int64_t count, const GiveFrame& give, bool moments) {
-    try {
-        render_frames(*device_, plan_, first, count, moments, give);
-    } catch (const device::Cancelled&) {}
-}
-
-void Renderer::explain(const scene::Scene& scene, int x, int y, int64_t first, int64_t last, const GiveRow& give) {
-    explain_pixel(*device_, plan_, scene, x, y, first, last, give);
-}
-
-std::string Renderer::seen(const scene::Scene& scene, double x, double y) const {
-    return seen_at(scene_, scene, plan_.view, x, y);
-}
-
-MomentReport Renderer::explain_moments(const scene::Scene& scene, int x, int y) {
-    return render::explain_moments(*device_, plan_, scene, x, y);
-}
-
-image::Moments Renderer::moments() { return pixel_moments(*device_, plan_, draw_frame_zero(*device_, plan_)); }
-
-void Renderer::frame(int64_t k, std::vector<float>& rgb) {
-    frames(k, 1, [&](int64_t, const std::vector<float>& v, const image::Moments&) {
-        rgb = v;
-        return true;
-    });
+uint32_t samples_per_frame(const ViewPlan& plan) {
+    return plan.sampling.samples_per_frame * std::max(1u, plan.points.copies);
 }
 
 }  // namespace render

@@ -84,9 +84,12 @@ void require_memory(const RenderView& v) {
 
 ViewPlan plan_view(device::Device& device, const LoadedScene& scene, const RenderView& v, const RenderOptions& o) {
     const flatten::FlatScene& flat = *scene.tables;
+    device.hold(scene.tables);
+    const std::string bits = device.own_bits(), of_device = bits.empty() ? "" : " device:" + bits;
     ViewPlan plan;
     plan.scene = scene;
     plan.view = v.view;
+    plan.nx = v.nx, plan.ny = v.ny;
     device::Params& par = plan.sampling.params;
     par = {params_of(flat, o), nullptr};
     par.nx = uint32_t(v.nx);
@@ -100,7 +103,7 @@ ViewPlan plan_view(device::Device& device, const LoadedScene& scene, const Rende
 
     if (v.points) {
         plan_points(v, flat, plan);
-        plan.fingerprint = fingerprint(scene.geometry, flat, "points " + v.points->hash, v.nx, v.ny, o, {});
+        plan.fingerprint = fingerprint(scene.geometry, flat, "points " + v.points->hash, v.nx, v.ny, o, {}) + of_device;
         return plan;
     }
     const flatten::HostTracer tracer(flat);
@@ -113,7 +116,7 @@ ViewPlan plan_view(device::Device& device, const LoadedScene& scene, const Rende
     par = device::with_view(par, view_tables(plan.drawn, flat));
     plan.sampling = with_focus(std::move(plan.sampling), v.focus);
     plan.tell_limit = o.tell_limit;
-    plan.fingerprint = fingerprint(scene.geometry, flat, view::to_options(v.view), v.nx, v.ny, o, v.focus);
+    plan.fingerprint = fingerprint(scene.geometry, flat, view::to_options(v.view), v.nx, v.ny, o, v.focus) + of_device;
     return plan;
 }
 

@@ -28,18 +28,19 @@ void require_memory(const RenderView& v);
 struct ViewPlan {
     LoadedScene scene;
     view::View view;
+    int nx = 0, ny = 0;      // of the picture
     PixelSampling sampling;  // with the focus; diffuse directions by the cosine alone
     DrawnSources drawn;
     PointLayout points;            // of a picture of points; else empty
-    size_t points_room = 0;        // pixels of that picture
+    size_t points_room = 0;        // pixels of that picture; 0: of a view
     uint32_t m = 0;                // frames that frame 0 stands for (Eq. 7)
     uint32_t samples_of_zero = 0;  // of the direct class, of each pixel in frame 0
     double noisy_share = 0;        // samples of noisy pixels over those of the picture; 0: none are sought
     bool tell_limit = false;       // warn of what -ab leaves out (beyond_limit.h)
-    std::string fingerprint;       // fingerprint.h
+    std::string fingerprint;       // fingerprint.h, with the device where its bits are its own
 };
 
-// The device holds the scene.
+// Throws device::Cancelled where an edit waits: a plan is whole.
 ViewPlan plan_view(device::Device& device, const LoadedScene& scene, const RenderView& v, const RenderOptions& o);
 
 }  // namespace render

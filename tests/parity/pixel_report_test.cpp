@@ -11,6 +11,7 @@
 #include "parity/options_of.h"
 #include "render/focus.h"
 #include "render/pixel_text.h"
+#include "unit/renderer.h"
 #include "unit/temp_folder.h"
 
 namespace {
@@ -24,9 +25,9 @@ struct Picture {
 
 Picture picture_of(Options opt, const render::Focus& focus = {}) {
     opt.render.names = true;
-    Picture p{scene::read_scene(opt.scene_files, opt.files), std::make_unique<render::Renderer>("cpu")};
-    p.renderer->load(p.scene, opt.render, opt.files);
-    p.renderer->select_view({opt.views.at(0).render_view.view, size, size, focus}, opt.render);
+    Picture p{scene::read_scene(opt.scene_files, opt.files), nullptr};
+    const render::RenderView view{opt.views.at(0).render_view.view, size, size, focus};
+    p.renderer = std::make_unique<render::Renderer>(p.scene, view, opt.render, "cpu", opt.files);
     return p;
 }
 

@@ -6,7 +6,7 @@
 #include <string>
 #include "parity/vectors.h"
 #include "flatten/host_tracer.h"
-#include "render/progressive.h"
+#include "unit/renderer.h"
 
 namespace parity {
 

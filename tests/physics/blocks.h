@@ -2,7 +2,7 @@
 // Means of frames over blocks of a picture, where noise is averaged enough to see a bias.
 #pragma once
 #include <vector>
-#include "render/progressive.h"
+#include "unit/renderer.h"
 
 namespace laws {
 

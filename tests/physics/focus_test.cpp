@@ -38,10 +38,8 @@ render::Focus focus() { return render::focus_on(two_regions(), size, size, .5, "
 
 std::unique_ptr<render::Renderer> renderer(const Office& office, const render::Focus& focus, const std::string& device,
                                            const render::RenderOptions& options = {}) {
-    auto out = std::make_unique<render::Renderer>(device);
-    out->load(office.scene, options, office.files);
-    out->select_view({office.view, size, size, focus}, options);
-    return out;
+    return std::make_unique<render::Renderer>(office.scene, render::RenderView{office.view, size, size, focus}, options,
+                                              device, office.files);
 }
 
 }  // namespace

@@ -222,9 +222,9 @@ TEST_CASE("two suns and two views: the images of the present view, with the same
         CHECK(frames == first);
         render::Renderer renderer(scene, fisheye(), 48, 48, options, device, {});
         frame_of(renderer);
-        renderer.select_view({turned, 48, 48, {}}, options);
+        renderer.show({turned, 48, 48, {}}, options);
         CHECK(frame_of(renderer) == first[1]);
-        renderer.select_view({fisheye(), 48, 48, {}}, options);
+        renderer.show({fisheye(), 48, 48, {}}, options);
         CHECK(frame_of(renderer) == first[0]);
     }
 }

@@ -24,10 +24,8 @@ std::vector<image::Part> frames_of(const scene::Scene& scene, const std::vector<
     image::size_for(sensors.size(), view.nx, view.ny);
     view.points = list;
     view.view.vp = sensors[0].p;
-    render::Renderer renderer(device);
     options.eye = render::viewpoint_of(view);
-    renderer.load(scene, options, {});
-    renderer.select_view(view, options);
+    render::Renderer renderer(scene, view, options, device, {});
     std::vector<image::Part> out;
     std::vector<float> zero;
     renderer.frames(0, frames + 1, [&](int64_t k, const std::vector<float>& rgb, const image::Moments&) {

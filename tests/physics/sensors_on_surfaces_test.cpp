@@ -63,7 +63,7 @@ std::vector<Sensor> sensors_at(const Place& p) {
 std::vector<std::string> all_devices() {
     std::vector<std::string> names = devices();
     for (const char* lanes : {"cpu:lanes8", "cpu:lanes16"}) try {
-            render::Renderer tried{std::string(lanes)};
+            render::make_device(lanes);
             names.emplace_back(lanes);
         } catch (const base::Error&) {  // not built, or not on this processor
         }
@@ -86,9 +86,7 @@ void expect(const std::string& text, const std::vector<Sensor>& sensors) {
     static const std::vector<std::string> names = all_devices();
     for (const std::string& device : names) {
         CAPTURE(device);
-        render::Renderer renderer(device);
-        renderer.load(scene, options, {});
-        renderer.select_view(view, options);
+        render::Renderer renderer(scene, view, options, device, {});
         std::vector<double> sum(sensors.size()), squares(sensors.size());
         std::vector<float> zero;
         renderer.frames(0, frames + 1, [&](int64_t k, const std::vector<float>& rgb, const image::Moments&) {

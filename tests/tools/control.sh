@@ -71,6 +71,22 @@ check 'what is seen, through a pane, with material, places and numbers; "what" i
     sed -n 2p all | grep -q "^ptrace: what .2 .6	0	$w	sky	source	see.rad:7	g	glow	see.rad:3	[-. 0-9]*	0 0 1 180\$"
     sed -n 3p all | grep -q "^ptrace: what .98 .5	1	ball	"
     sed -n 4p all | grep -q "^ptrace: ctl: what: needs two fractions"'
+# A blind of a million slats, which take a minute to read: six polygons each.
+cp $office/*.rad .; sed 's/-a 20 /-a 999999 /' $office/blind.rad > million.rad
+overlay() { printf 'overlay blind.rad %d\n' $(wc -c < $1); cat $1; }
+live() {
+    exec ptrace -w- -x 8 -y 8 -frames 999999 -control ctl $desk materials.rad layout.rad blind.rad sky_1400.rad
+}
+frames() { for i in $(seq 600); do grep -aq "^EDIT=$1" live.str && return; sleep .1; done; return 1; }
+check 'a number that is too large does not hang: the next edit is carried out, after a line that says what takes long' '
+    live > live.str 2> said & p=$!
+    exec 9> ctl; frames 0; overlay million.rad >&9; sleep 4; grep -q "^ptrace: edit 1: reading the model$" said
+    from=$SECONDS; overlay $office/blind.rad >&9; echo view -vp 2 2 1.2 >&9; frames 1; [ $((SECONDS - from)) -lt 20 ]
+    echo next >&9; exec 9>&-; wait $p; [ $(wc -l < said) = 1 ]'
+check 'nor does a signal wait for it' '
+    live > live.str 2> said & p=$!
+    exec 9> ctl; frames 0; overlay million.rad >&9; sleep 2; from=$SECONDS; kill -TERM $p; exec 9>&-
+    s=0; wait $p || s=$?; [ $s = 3 ]; [ $((SECONDS - from)) -lt 10 ]'
 check 'an unknown word and a line without end are reported' '
     (sleep .5; echo "jump up"; head -c 70000 /dev/zero | tr "\0" x; echo; echo next) > ctl &
     timeout 100 ptrace -x 24 -y 24 -moments- -control ctl $desk $scene 2> said | cat > /dev/null

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/progressive.h"
+#include "unit/renderer.h"
 #include "sampling/mixture_weights.h"
 
 namespace render {

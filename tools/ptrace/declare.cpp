@@ -13,7 +13,6 @@
 #include "base/error.h"
 #include "base/value.h"
 #include "render/make_device.h"
-#include "render/progressive.h"
 
 namespace {
 

@@ -2,11 +2,16 @@
 // See edits.h.
 #include "edits.h"
 
+#include <algorithm>
+
 #include "base/error.h"
 #include "base/printable.h"
 #include "base/split.h"
 #include "declare.h"
 
+namespace {
+
+// Throws Error for what is no command, with the options as they were.
 void edit(const render::Command& c, size_t picture, Options& opt) {
     const std::string place = opt.control.empty() ? "-watch" : opt.control;
     if (opt.first != 0)
@@ -27,7 +32,7 @@ void edit(const render::Command& c, size_t picture, Options& opt) {
     Options next = opt;
     next.view = next.views[picture].render_view.view;
     std::optional<scene::RadInput> rad_input;
-    base::OptionTable table("ptrace", LUXPIPE_VERSION, "");
+    base::OptionTable table;
     declare_options(table, next, rad_input, {});
     table.read_scene_words(words, place);
     if (c.word == "preview" && (next.nx != opt.nx || next.ny != opt.ny))
@@ -44,4 +49,41 @@ void edit(const render::Command& c, size_t picture, Options& opt) {
     next.views[picture].render_view = v;
     next.preview = c.word == "preview";
     opt = next;
+}
+
+}  // namespace
+
+Edited edited(Run run, const std::vector<render::Command>& commands, size_t picture) {
+    Edited out{std::move(run), Work::nothing, {}};
+    for (const render::Command& c : commands) {
+        if (c.word == "note") {
+            out.run.note = c.rest;
+            continue;
+        }
+        try {
+            edit(c, picture, out.run.opt);
+            out.run.last = c.word;
+            if (c.word != "go" && c.word != "preview") out.run.changed = c.word;
+            out.work = std::max(out.work, c.reads_files() ? Work::files : Work::view);
+        } catch (const base::Error& e) {
+            out.refused.push_back(e.text);
+        }
+    }
+    return out;
+}
+
+Run gone_on(Run run) {
+    if (!run.opt.preview) run.note.clear();
+    return run;
+}
+
+Run begun(Run run) {
+    run.edits++;
+    run.edited = run.opt.preview ? "preview" : run.last;
+    if (run.last == "go") run.edited = run.changed.empty() ? "view" : run.changed;
+    if (run.opt.preview) return run;
+    if (!run.note.empty()) run.edited += " " + run.note;
+    run.changed.clear();
+    run.note.clear();
+    return run;
 }

@@ -11,6 +11,7 @@
 #include "film/accumulate.h"
 #include "image/header.h"
 #include "image/stream.h"
+#include "render/progressive.h"
 
 namespace {
 
@@ -49,13 +50,13 @@ void write_to(const Options& opt, const std::string& file, const image::Picture&
 
 }  // namespace
 
-image::Picture start_picture(const Options& opt, const Sky& sky, size_t i, const render::Session* session) {
-    const render::RenderView& v = session ? session->view() : opt.views[i].render_view;
+image::Picture start_picture(const Options& opt, const Sky& sky, size_t i, const render::ViewPlan* plan) {
+    const render::RenderView& v = opt.views[i].render_view;
     image::Picture picture;
-    picture.width = v.nx;
-    picture.height = v.ny;
-    if (session)
-        for (const std::string& line : session->history()) image::add_history(picture.header, line);
+    picture.width = plan ? plan->nx : v.nx;
+    picture.height = plan ? plan->ny : v.ny;
+    if (plan)
+        for (const std::string& line : plan->scene.history) image::add_history(picture.header, line);
     image::add_history(picture.header, opt.command);
     for (const std::string& line : sky.lines) image::add_history(picture.header, line);
     if (!v.points) picture.header.view = v.view;
@@ -65,9 +66,9 @@ image::Picture start_picture(const Options& opt, const Sky& sky, size_t i, const
     picture.header.unknown = sky.unknown;
     picture.header.seed = opt.render.seed;
     picture.header.exposure = opt.exposure;
-    if (!session) return picture;
-    picture.header.fingerprint = session->renderer().fingerprint();
-    picture.header.direct_frames = session->renderer().direct_frames();
+    if (!plan) return picture;
+    picture.header.fingerprint = plan->fingerprint;
+    picture.header.direct_frames = plan->m;
     return picture;
 }
 
@@ -110,12 +111,13 @@ void write_dark(const Options& opt, image::Picture& picture) {
 }
 
 int64_t render_frames(const Options& opt, const Ends& ends, int64_t from, image::Picture& picture,
-                      render::Renderer& renderer, const render::Control& control, Report& report) {
+                      device::Device& device, const render::ViewPlan& plan, const render::Control& control,
+                      Report& report) {
     const bool streams = opt.output.empty();
     if (streams && ends.last != Options::endless) picture.header.last_frame = ends.last;
     const std::string label = image::label(picture.header);
-    report.begin(label, renderer.device_name(), ends.first, ends.last);
-    DarkPoints dark(opt, renderer.samples_per_frame());
+    report.begin(label, device.name(), ends.first, ends.last);
+    DarkPoints dark(opt, render::samples_per_frame(plan));
     film::Accumulator sum;
     int64_t next = from;
     const auto give = [&](int64_t k, const std::vector<float>& rgb, const image::Moments& moments) {
@@ -133,7 +135,9 @@ int64_t render_frames(const Options& opt, const Ends& ends, int64_t from, image:
     };
     constexpr int64_t block = 1 << 20;  // a bound for the count only: give() says when to stop
     while (next <= ends.last && !control.edited() && !base::shutdown_requested()) {
-        renderer.frames(next, std::min(block, ends.last - next + 1), give, opt.moments);
+        try {
+            render::render_frames(device, plan, next, std::min(block, ends.last - next + 1), opt.moments, give);
+        } catch (const device::Cancelled&) {}
         if (next <= ends.last && control.edit_waits()) ends.now();
     }
     if (opt.one_picture) write_sum(opt, sum, label);

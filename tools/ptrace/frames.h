@@ -10,7 +10,7 @@
 #include "options.h"
 #include "report.h"
 #include "render/control.h"
-#include "render/session.h"
+#include "render/setup.h"
 
 // When the stream of a picture ends: an option that ends it belongs in ends_of().
 struct Ends {
@@ -19,14 +19,15 @@ struct Ends {
 };
 Ends ends_of(const Options& opt, render::Control& control, const std::string& label);
 
-// Frames from .. ends.last of the renderer's view; picture: with the header that they have in common.  Returns the
-// frame that an edit keeps from being written; ends.last + 1: the picture has ended.
+// Frames from .. ends.last of a plan; picture: with the header that they have in common.  Returns the frame that an
+// edit keeps from being written; ends.last + 1: the picture has ended.
 int64_t render_frames(const Options& opt, const Ends& ends, int64_t from, image::Picture& picture,
-                      render::Renderer& renderer, const render::Control& control, Report& report);
+                      device::Device& device, const render::ViewPlan& plan, const render::Control& control,
+                      Report& report);
 
-// The header of a picture of view i: what its frames have in common.  session: with that view; null for a dark hour,
-// for which no scene is loaded.
-image::Picture start_picture(const Options& opt, const Sky& sky, size_t i, const render::Session* session);
+// The header of a picture of view i: what its frames have in common.  plan: of that view; null for a dark hour, for
+// which no scene is loaded.
+image::Picture start_picture(const Options& opt, const Sky& sky, size_t i, const render::ViewPlan* plan);
 void write_frame(const Options& opt, const image::Picture& frame, film::Accumulator& sum);
 // -picture: the sum of its frames.
 void write_sum(const Options& opt, const film::Accumulator& sum, const std::string& label);

@@ -21,8 +21,7 @@ std::string why_apart(const Options& opt) {
     return "";
 }
 
-void render_hours(Options opt, size_t i, const render::Session& session, Report& report) {
-    const render::ViewPlan& plan = session.renderer().plan();
+void render_hours(Options opt, size_t i, device::Device& device, const render::ViewPlan& plan, Report& report) {
     std::vector<render::HourSky> hours;
     std::vector<size_t> of;  // of each: its place in opt.skies
     for (size_t sky = 0; sky < opt.skies.size(); sky++)
@@ -56,11 +55,11 @@ void render_hours(Options opt, size_t i, const render::Session& session, Report&
         if (k == opt.first) {
             progress.clear();
             dark_ones_before(of[hour]);
-            picture = start_picture(opt, sky, i, &session);
+            picture = start_picture(opt, sky, i, &plan);
             picture.header.fingerprint = render::hour_fingerprint(plan, hours[hour]);
             picture.header.shared_paths = shared;
             if (opt.output.empty()) picture.header.last_frame = opt.last;
-            report.begin(image::label(picture.header), session.renderer().device_name(), opt.first, opt.last);
+            report.begin(image::label(picture.header), device.name(), opt.first, opt.last);
         }
         picture.rgb = rgb;
         picture.header.frame = k;
@@ -75,7 +74,7 @@ void render_hours(Options opt, size_t i, const render::Session& session, Report&
         return !base::shutdown_requested();
     };
     try {
-        render::render_hours(session.renderer().device(), plan, hours, wanted, give);
+        render::render_hours(device, plan, hours, wanted, give);
     } catch (const device::Cancelled&) {}  // a signal, before the first hour
     if (!base::shutdown_requested()) dark_ones_before(opt.skies.size());
 }

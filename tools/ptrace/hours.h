@@ -3,11 +3,11 @@
 #pragma once
 #include <string>
 #include "options.h"
-#include "render/session.h"
+#include "render/view_plan.h"
 #include "report.h"
 
 // Empty, or why these hours are rendered one by one.
 std::string why_apart(const Options& opt);
 
-// All hours of view i, which the session has selected: dark ones as black frames.
-void render_hours(Options opt, size_t i, const render::Session& session, Report& report);
+// All hours of view i: dark ones as black frames.
+void render_hours(Options opt, size_t i, device::Device& device, const render::ViewPlan& plan, Report& report);

@@ -11,7 +11,7 @@
 #include "image/points.h"
 #include "scene/object.h"
 #include "render/options.h"
-#include "render/progressive.h"
+#include "render/view_plan.h"
 #include "skies.h"
 #include "view/view.h"
 

@@ -2,6 +2,7 @@
 // -pixel: tables of one pixel in place of frames.
 #pragma once
 #include "options.h"
-#include "render/session.h"
+#include "render/view_plan.h"
+#include "scene/object.h"
 
-void write_pixel(const Options& opt, render::Session& session);
+void write_pixel(const Options& opt, device::Device& device, const render::ViewPlan& plan, const scene::Scene& scene);
