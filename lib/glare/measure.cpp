@@ -119,22 +119,68 @@ void measure_glare(const Reading& r, Images& images, Measurement& m) {
     if (m.mask) m.pgsv = pgsv(*m.mask, m.mean_lum, m.ev, has_task, m.task_lum);
 }
 
-// Highlights of rough surfaces in the sun are not drawn, and are brightest in their middle: filled evenly, one that is
-// narrower than its pixel counts for more than the larger and less bright source of a larger picture; spread over its
-// pixel, for less.  Moments that spread those that fill less than half of it.  Null: there are none.
-image::Moments spread_highlights(const Reading& r) {
-    constexpr double narrow = .5, bright_cdm2 = 5e5;  // share of the pixel; a thousandth of the sun
+struct Filled {
+    bool is_drawn = false;           // by area
+    bool is_sampled = false;         // its variance is that of samples
+    double mean = 0, luminance = 0;  // of the pixel; on the share of it that is filled
+    double beside = 0;               // the largest luminance of what is drawn in the pixels around
+};
+Filled filled(const Reading& r, size_t i) {
+    const float* const of = &(*r.lum.moments)[image::moment_numbers * i];
+    Filled f;
+    f.is_drawn = of[image::moment_right] != 0 || of[image::moment_up] != 0;
+    f.is_sampled = of[image::moment_difference] != 0;
+    f.mean = f.luminance = r.lum.at(i);
+    if (const double m1 = r.lum.grey[i]; m1 > 0) f.luminance *= 1 + of[image::moment_variance] / (m1 * m1);
+    return f;
+}
+Filled filled_among_others(const Reading& r, size_t i) {
+    Filled f = filled(r, i);
+    if (!f.is_drawn) return f;
+    const long width = r.lum.width, x = long(i) % width, y = long(i) / width;
+    for (long v = std::max(0L, y - 1); v <= std::min(r.lum.height - 1L, y + 1); ++v)
+        for (long u = std::max(0L, x - 1); u <= std::min(width - 1, x + 1); ++u)
+            if (const Filled other = filled(r, size_t(v * width + u)); other.is_drawn)
+                f.beside = std::max(f.beside, other.luminance);
+    return f;
+}
+
+// Moments with so much of the variance of each pixel; null: nothing changes.
+image::Moments with_variance(const Reading& r, double (*kept)(const Filled&)) {
     std::shared_ptr<std::vector<float>> out;
     for (size_t i = 0; i < r.lum.size(); ++i) {
-        const float* const of = &(*r.lum.moments)[image::moment_numbers * i];
-        const double m1 = r.lum.grey[i], share = m1 * m1 / (m1 * m1 + of[image::moment_variance]);
-        const bool is_drawn = of[image::moment_right] != 0 || of[image::moment_up] != 0 ||
-                              of[image::moment_difference] == 0;  // or its variance was not sampled
-        if (is_drawn || !(m1 > 0 && share < narrow && r.lum.at(i) > bright_cdm2 * share)) continue;
+        const double part = kept(filled_among_others(r, i));
+        if (part == 1) continue;
         if (!out) out = std::make_shared<std::vector<float>>(*r.lum.moments);
-        (*out)[image::moment_numbers * i + image::moment_variance] = 0;
+        (*out)[image::moment_numbers * i + image::moment_variance] *= float(part);
     }
     return out;
+}
+
+constexpr double least_sun_cdm2 = 5e5;  // a thousandth of the sun; no lamp is so bright
+
+// Highlights of rough surfaces in the sun are not drawn, and are brightest in their middle: filled evenly, one that is
+// narrower than its pixel counts for more than the larger and less bright source of a larger picture; spread over its
+// pixel, for less.
+double without_highlights(const Filled& f) {
+    constexpr double narrow = .5;  // share of the pixel
+    const bool is_narrow = f.mean < narrow * f.luminance;
+    return !f.is_drawn && f.is_sampled && is_narrow && f.luminance > least_sun_cdm2 ? 0 : 1;
+}
+
+// Of light other than a sun that is drawn a larger picture may show that it is less even, or that what lies beside it
+// in the pixel joins its source.
+double less_filled(const Filled& f) {
+    const bool is_sun = f.is_drawn && f.luminance > least_sun_cdm2, is_exact = !f.is_drawn && !f.is_sampled;
+    return is_sun || is_exact ? 1 : 2. / 3;
+}
+
+// A corner of the sun in a bright pixel counts as light that is less bright than the sun and fills more; a larger
+// picture has it with the luminance of the other part.
+double whole_suns(const Filled& f) {
+    constexpr double even = 1.1;  // the disc's parts differ by no more
+    if (!f.is_drawn || f.beside < std::max(least_sun_cdm2, even * f.luminance)) return 1;
+    return (f.beside - f.mean) / (f.luminance - f.mean);
 }
 
 }  // namespace
@@ -144,9 +190,11 @@ Measurement measure(const Reading& r) {
     if (!m.filled || r.tables->find_by_other_reach.empty()) return m;
     for (const FindSources& find : r.tables->find_by_other_reach)
         m.of_other_reach.push_back(filled_glare(r, {r.lum, r.lum, {}, {}}, m, find));
-    Luminance spread = r.lum;
-    spread.moments = spread_highlights(r);
-    if (spread.moments) m.of_other_reach.push_back(measure_filled(r, spread, m));
+    for (const auto kept : {without_highlights, less_filled, whole_suns}) {
+        Luminance other = r.lum;
+        other.moments = with_variance(r, kept);
+        if (other.moments) m.of_other_reach.push_back(measure_filled(r, other, m));
+    }
     return m;
 }
 

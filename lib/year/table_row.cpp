@@ -16,12 +16,12 @@ namespace {
 // and development of a new glare prediction model, Energy and Buildings 38, 2006): sources only add to it.
 double dgp_of(double lux) { return 5.87e-5 * lux + .16; }
 
-// The error of DGPf from pixels (docs/decisions/0038-a-year.md).  DGPf.px is what joined or parted sources change; the
-// rest is some thousandths in round pictures of 64 x 64, half of it when the sides double, or a share of what filling
-// the pixels adds.  Without DGPf.px it counts as all of that.
+// The error of DGPf from pixels (docs/decisions/0038-a-year.md).  DGPf.px is what its known causes change; the rest is
+// some thousandths in round pictures of 64 x 64, half of it when the sides double.  Without DGPf.px all that filling
+// the pixels adds counts.
 void add_error_of_pixels(Hour& h, double pixel_error, std::optional<double> joins) {
-    const double at_64 = joins ? .0015 : .005, share = joins ? 1. / 3 : 1;
-    h.dgp.bound = std::max(at_64 * std::sqrt(pixels_of_64 / h.pixels), share * std::fabs(pixel_error));
+    const double at_64 = joins ? .0015 : .005, filling = joins ? 0 : std::fabs(pixel_error);
+    h.dgp.bound = std::max(at_64 * std::sqrt(pixels_of_64 / h.pixels), filling);
     h.dgp.jump = joins.value_or(0);
 }
 

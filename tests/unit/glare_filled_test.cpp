@@ -25,6 +25,7 @@ constexpr double pi = 3.14159265358979323846;
 // four of them.
 struct SunPicture {
     double surround = 1000, L = 1e6, half_deg = .25;
+    double beside = 0;  // share of the disc in the pixel on its left
     int side = 64;
     double omega() const { return 2 * pi * (1 - std::cos(half_deg * pi / 180)); }
     image::Picture at(double right, double up) const {
@@ -32,10 +33,11 @@ struct SunPicture {
         const Geometry g(*p.header.view, side, side);
         std::vector<float> moments(image::moment_numbers * g.omega.size(), 0.0f);
         const bool corner = right == std::floor(right);
-        for (int k = 0; k < (corner ? 4 : 1); ++k) {
+        for (int k = 0; k < (corner ? 4 : beside > 0 ? 2 : 1); ++k) {
             const int x = int(right) - k % 2, y = int(up) - k / 2;
             const size_t i = g.index(x, y);
-            const double c = omega() / g.omega[i] / (corner ? 4 : 1), mean = c * L + (1 - c) * surround;
+            const double share = corner ? .25 : k == 1 ? beside : 1 - beside;
+            const double c = share * omega() / g.omega[i], mean = c * L + (1 - c) * surround;
             for (size_t n = 0; n < 3; ++n) p.rgb[3 * i + n] = float(mean / cdm2_per_grey);
             float* m = &moments[image::moment_numbers * i];
             m[image::moment_variance] = float(c * (1 - c) * std::pow((L - surround) / cdm2_per_grey, 2));
@@ -85,6 +87,26 @@ TEST_CASE("the sun in a uniform surround, at any place of pixels of any size") {
             CHECK(m.at("DGPf.px") == 0);
             if (side == 64) CHECK(m.at("DGP") < m.at("DGPf") - .02);
         }
+}
+
+TEST_CASE("a corner of the sun in a bright pixel: DGPf.px holds what a larger picture changes") {
+    SunPicture sun;
+    sun.L = 6e6, sun.half_deg = .1, sun.surround = 1800, sun.beside = .03;
+    const double right = 32.01, up = 41.5;
+    const auto m = measured(sun.at(right, up), {"DGPf", "DGPf.px"});
+    const double off = sun.dgp(right, up) - m.at("DGPf");
+    CHECK(off > .003);
+    CHECK(m.at("DGPf.px") > off);
+    CHECK(m.at("DGPf.px") < 3 * off);
+}
+
+TEST_CASE("light that samples found in pixels may be less even; a sun that is drawn is exact") {
+    SunPicture lamp;
+    lamp.L = 1e5, lamp.half_deg = .5, lamp.surround = 500;
+    const SunPicture sun;
+    const auto px = [](image::Picture p) { return measured(std::move(p), {"DGPf.px"}).at("DGPf.px"); };
+    CHECK(px(sun.at(32.5, 41.5)) == 0);
+    CHECK(px(lamp.at(32.7, 41.5)) < -.001);
 }
 
 TEST_CASE("a picture without structure inside of its pixels keeps its numbers; one without moments has no others") {

@@ -101,7 +101,7 @@ TEST_CASE("with DGPf.px the error of pixels is smaller, and what it says counts 
         const std::string text = "sky\tDGPf\tDGPf.lo\tDGPf.hi\tDGP.px\tDGPf.px\tpixels\n0621_1430\t.41\t.409\t.411\t";
         return read_tables({folder.holding("p.tsv", text + px + "\t" + joins + "\t3217\n")}).views[0].hours[0];
     };
-    CHECK(dgp("-.03", "0").dgp.bound == doctest::Approx(.01));
+    CHECK(dgp("-.03", "0").dgp.bound == doctest::Approx(.0015));
     const Hour down = dgp(".001", "-.02"), up = dgp(".001", ".02");
     CHECK(down.dgp.at(-1) == doctest::Approx(.3885));
     CHECK(down.dgp.at(1) == doctest::Approx(.4115));
