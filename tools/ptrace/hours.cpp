@@ -12,15 +12,6 @@
 #include "image/header.h"
 #include "render/hours.h"
 
-std::string why_apart(const Options& opt) {
-    if (opt.hours_apart) return "-hours-apart";
-    if (opt.weather.empty()) return "there are no hours of a weather file";
-    if (is_live(opt)) return "edits may come";
-    if (opt.pixel) return "-pixel";
-    if (!opt.focus_file.empty()) return "-focus";
-    return "";
-}
-
 void render_hours(Options opt, size_t i, device::Device& device, const render::ViewPlan& plan, Report& report) {
     std::vector<render::HourSky> hours;
     std::vector<size_t> of;  // of each: its place in opt.skies

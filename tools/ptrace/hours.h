@@ -6,8 +6,5 @@
 #include "render/view_plan.h"
 #include "report.h"
 
-// Empty, or why these hours are rendered one by one.
-std::string why_apart(const Options& opt);
-
 // All hours of view i: dark ones as black frames.
 void render_hours(Options opt, size_t i, device::Device& device, const render::ViewPlan& plan, Report& report);

@@ -15,7 +15,6 @@
 #include "base/split.h"
 #include "base/warnings.h"
 #include "declare.h"
-#include "hours.h"
 #include "image/header.h"
 #include "image/stream.h"
 #include "scene/rad_input.h"
@@ -263,6 +262,15 @@ std::string output_name(const std::string& pattern, int64_t k, const std::string
     const size_t wide = width.empty() ? 0 : std::stoul(width);
     const std::string pad(wide > number.size() ? wide - number.size() : 0, width[0] == '0' ? '0' : ' ');
     return name.substr(0, at) + pad + number + name.substr(end + 1);
+}
+
+std::string why_apart(const Options& opt) {
+    if (opt.hours_apart) return "-hours-apart";
+    if (opt.weather.empty()) return "there are no hours of a weather file";
+    if (is_live(opt)) return "edits may come";
+    if (opt.pixel) return "-pixel";
+    if (!opt.focus_file.empty()) return "-focus";
+    return "";
 }
 
 std::optional<int> parse_options(int argc, char** argv, Options& opt) { return parse(argc, argv, {}, opt); }

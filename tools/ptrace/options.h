@@ -77,6 +77,9 @@ std::optional<int> parse_options(int argc, char** argv, Options& opt);
 // Reads the files of -points: the one picture.
 void read_points(Options& opt);
 
+// Empty, or why its hours are rendered one by one.
+std::string why_apart(const Options& opt);
+
 // The file of frame k: the pattern's one %d (%4d, %04d) replaced, and %s by the name of the picture; a pattern without
 // serves a single frame.
 std::string output_name(const std::string& pattern, int64_t k, const std::string& label);
