@@ -150,7 +150,7 @@ OptionTable::OptionTable(Text tool, Text version, Text usage) : OptionTable() {
 
 void OptionTable::group(Text title, Text program) {
     group_ = title, program_ = program;
-    if (!program.empty()) help_->may_follow.push_back(program);
+    if (help_ && !program.empty()) help_->may_follow.push_back(program);
 }
 
 Option& OptionTable::declare(Text spelling, CLI::Option* cli, std::function<std::string()> show) {
