@@ -224,6 +224,15 @@ std::optional<int> parse(int argc, char** argv, const std::vector<std::string>& 
 
 }  // namespace
 
+std::string why_apart(const Options& opt) {
+    if (opt.hours_apart) return "-hours-apart";
+    if (opt.weather.empty()) return "there are no hours of a weather file";
+    if (is_live(opt)) return "edits may come";
+    if (opt.pixel) return "-pixel";
+    if (!opt.focus_file.empty()) return "-focus";
+    return "";
+}
+
 void read_points(Options& opt) {
     const image::GridFiles before = std::move(opt.grid_files);
     image::GridFiles& files = opt.grid_files = {};
