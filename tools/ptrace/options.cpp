@@ -273,13 +273,4 @@ std::string output_name(const std::string& pattern, int64_t k, const std::string
     return name.substr(0, at) + pad + number + name.substr(end + 1);
 }
 
-std::string why_apart(const Options& opt) {
-    if (opt.hours_apart) return "-hours-apart";
-    if (opt.weather.empty()) return "there are no hours of a weather file";
-    if (is_live(opt)) return "edits may come";
-    if (opt.pixel) return "-pixel";
-    if (!opt.focus_file.empty()) return "-focus";
-    return "";
-}
-
 std::optional<int> parse_options(int argc, char** argv, Options& opt) { return parse(argc, argv, {}, opt); }

@@ -71,9 +71,6 @@ struct Options {
 // May edits come?
 inline bool is_live(const Options& opt) { return opt.watch || !opt.control.empty(); }
 
-// Empty, or why these hours are rendered one by one.
-std::string why_apart(const Options& opt);
-
 // Fills opt and checks it.  A status: the answer (-help, -version, -defaults, -devices) was printed, main ends with it.
 std::optional<int> parse_options(int argc, char** argv, Options& opt);
 
