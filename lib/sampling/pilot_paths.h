@@ -3,20 +3,35 @@
 // weights. A direction of q times the cosine's pdf counts 1/q (Veach 1997, section 9.2).
 #pragma once
 #include <algorithm>
-#include "device/given_rays.h"
+#include <vector>
+#include "device/device.h"
 #include "kernels/dialect/host.h"
 
 namespace sampling {
 
+// What a mixture may aim at.
+struct Candidates {
+    kernels::SceneTables tables;  // of portals and highlights
+    device::Params par;           // with all of them
+};
+
 // A pilot path from a point on a surface, and its result.
 struct PilotPath {
-    kernels::float3 p, n, dir;                 // point, normal, direction
-    double gathered = 0, throughput = 0;       // luminance up to its first diffuse bounce, and the throughput there
-    double portal_pdf = 1, highlight_pdf = 1;  // of its direction, toward portals and highlights, over the cosine's
-    double weight = 1;                         // 1 for a pilot by the cosine where no highlight can be sampled
-    uint32_t target = 0;                       // record of the glossy reflector toward which it goes
-    void set_end(const device::PilotEnd& end);
+    kernels::float3 p, n, dir;            // point, normal, direction
+    double gathered = 0, throughput = 0;  // luminance up to its first diffuse bounce, and the throughput there
+    double highlight_pdf = 1;             // of its direction, toward highlights, over the cosine's
+    double weight = 1;                    // 1 for a pilot by the cosine where no highlight can be sampled
+    double view = 0;                      // portal_view of its point, toward a portal
+    uint32_t portal = 0;                  // record of that portal
+
+    double light(double mean) const { return gathered + throughput * mean; }  // mean: beyond its bounce
 };
+
+// From the points that the eye sees and those that pilots from there reach.
+struct Pilots {
+    std::vector<PilotPath> by_cosine, to_portals, to_highlights;
+};
+Pilots trace_pilots(device::Device& device, const Candidates& candidates);
 
 struct Moments {
     double mean = 0, square = 0;
