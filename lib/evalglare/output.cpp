@@ -63,7 +63,7 @@ std::string source_lines(const Measurement& m, const glare::Settings& settings, 
             fmt::sprintf("%d %f %f %f %f %.10f %f %f %f %f %f %f %f %f %f %f %f %f %f %d %f %f \n", int(i + 1),
                          s.pixels, s.x, height - s.y, s.lum, s.omega, s.P, m.background, m.task_lum, m.ev, m.direct_lux,
                          m.max_lum, s.sigma_deg, s.direction.x, s.direction.y, s.direction.z, s.eye_lux,
-                         veil_cie({g}, settings.veil_cut), g.theta_deg, s.zone, share.contrast, share.dgp);
+                         veil_cie({g}, settings.formulas.veil_cut), g.theta_deg, s.zone, share.contrast, share.dgp);
     }
     if (m.sources.empty()) {
         out += fmt::sprintf("%d %f %f %f %f %.10f %f %f %f %f %f %f", 0, 0., 0., 0., 0., 0., 0., m.background,
@@ -91,7 +91,7 @@ std::string summary_line(const Measurement& m, const Reading& reading) {
                              m.sources.empty() ? 0 : flux / omega,
                              omega,
                              veil_poynter(m.glare),
-                             veil_cie(m.glare, reading.plan().settings.veil_cut),
+                             veil_cie(m.glare, reading.plan().settings.formulas.veil_cut),
                              d,
                              ugp(m.glare, m.background),
                              ugr_exp(m.glare, m.background0, m.ev),

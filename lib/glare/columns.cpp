@@ -71,7 +71,7 @@ const Entry entries[] = {
     {"PGSVcon", sources | mask | uncompared, [](M m) { return m.pgsv.contrast; }, no_interval},
     {"PGSVsat", sources | mask | uncompared, [](M m) { return m.pgsv.saturation; }, no_interval},
     {"Lveil", sources, [](G m) { return veil_poynter(m.glare); }, Noise::glare, {0, .05}},
-    {"LveilCIE", sources, [](G m) { return veil_cie(m.glare, -HUGE_VAL); }, Noise::glare, {0, .05}},
+    {"LveilCIE", sources, [](G m) { return veil_cie(m.glare, m.settings.veil_cut); }, Noise::glare, {0, .05}},
     {"Lavg", nothing, [](M m) { return m.mean_lum; }, linear},
     {"Lmax", nothing, [](M m) { return m.max_lum; }, no_interval},
     {"Lmed", medians, [](M m) { return m.median; }, no_interval},
@@ -175,8 +175,6 @@ private:
             if (settings_.external_ev) requirements_ &= ~all_light;
 
             Column column{name, e, e.noise};
-            if (std::string(e.name) == "LveilCIE")
-                column.value = [cut = settings_.veil_cut](M m) { return veil_cie(m.glare, cut); };
             if (e.of_glare == class_value) column.words = dgp_classes;
             column.printed_unbiased = shows_unbiased;
             if (shows_filled || shows_pixels) {

@@ -59,6 +59,7 @@ Glare glare_of(const Luminance& lum, const Luminance& classification_image, cons
     Glare m;
     static_cast<Photometry&>(m) = photometry;
     m.task_lum = task_lum, m.threshold = threshold;
+    m.settings = settings.formulas;
     m.sources = found.sources;
     m.direct_lux = found.direct_lux;
     m.glare = glare_terms(lum, classification_image, g, settings, threshold, m.sources);
@@ -218,6 +219,7 @@ Measurement measure(const Reading& r, const Luminance& lum, const Luminance& cla
     Measurement m = measure_regions(r, images.lum);
     m.not_finite = lum.not_finite;
     m.negative = lum.negative;
+    m.settings = plan.settings.formulas;
     m.black_corners = r.black_corners;
     static_cast<Photometry&>(m) = plan.methods.photometry(images.lum, r.geometry(), plan.settings);
     m.placed_ev = m.ev + gain_of_place(r, images.lum, images.lum, 0);

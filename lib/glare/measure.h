@@ -20,6 +20,7 @@ struct Glare : Photometry {
     double dgp = 0;           // with the external Ev if there is one, corrected, at most 1
     double dgp_computed = 0;  // with the computed Ev, before corrections
     double eye_lux_used = 0;  // Ev used for `dgp`
+    FormulaSettings settings;
 };
 
 struct Measurement : Glare, SetStatistics {

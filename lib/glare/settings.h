@@ -34,6 +34,11 @@ enum class DgpForm {
     pixel,   // every bright pixel is a source of its own
 };
 
+// What formulas are given besides the picture; each reads it in `settings` of its Glare or Measurement.
+struct FormulaSettings {
+    double veil_cut = -std::numeric_limits<double>::infinity();  // -k: terms of LveilCIE up to it do not count
+};
+
 struct Settings {
     std::optional<double> threshold;               // -b: up to 100 a factor of the reference luminance, above it cd/m2
     double search_opening = 0.2;                   // -r
@@ -48,8 +53,8 @@ struct Settings {
     std::optional<double> external_ev;             // -i, -I
     std::optional<Fill> fill;                      // -I
     PositionModel position = PositionModel::guth;  // -P 1: kim
-    double veil_cut = -std::numeric_limits<double>::infinity();  // -k
-    DgpConstants constants;                                      // -w
+    FormulaSettings formulas;
+    DgpConstants constants;  // -w
     DgpForm dgp_form = DgpForm::merged;
     std::optional<Patches> patches;        // -z
     std::optional<Zones> zones;            // -l, -L

@@ -52,13 +52,14 @@ double rect_rammg(int w, int h, const std::vector<double>& cdm2) {
 }
 
 // The value of a column, such as "DGP".
-double column(const std::string& name, const image::Picture& picture, const view::View& view) {
+double column(const std::string& name, const image::Picture& picture, const view::View& view,
+              const Settings& settings = {}) {
     ColumnChoice choice;
     choice.names = {name};
     Requirements requirements;
-    const Column column = choose_columns(choice, {}, requirements).at(0);
+    const Column column = choose_columns(choice, settings, requirements).at(0);
     image::Picture copy = picture;
-    return column.value(measure(read(make_plan({{}, requirements}), copy, "test", view)));
+    return column.value(measure(read(make_plan({settings, requirements}), copy, "test", view)));
 }
 
 }  // namespace
@@ -76,6 +77,34 @@ TEST_CASE("a uniform dome") {
     CHECK(m.rammg == doctest::Approx(0).epsilon(1e-6));
     CHECK(m.sources.empty());
     CHECK(m.dgp == doctest::Approx(5.87e-5 * m.ev + 0.159).epsilon(1e-9));
+}
+
+// A disc of luminance L and half angle r, t off the line of sight, before a dome of luminance 1: Edir = L pi sin^2 r
+// cos t, CIE's veil is 10 Edir / t^2 (t in degrees), UGR = 8 log10(.25 / 1 L^2 omega / P^2).  Pixels of .3 degrees: 1
+// %.
+TEST_CASE("one source of glare") {
+    constexpr int n = 600;
+    const double degree = pi / 180, L = 1e5, r = 3 * degree, t = 30 * degree;
+    std::vector<double> cdm2;
+    for (int y = 0; y < n; y++) {
+        for (int x = 0; x < n; x++) {
+            const double right = (x + .5) / n * 2 - 1, up = (y + .5) / n * 2 - 1, off = std::hypot(right, up);
+            const double angle = off * pi / 2,
+                         cosine = std::sin(angle) * right / off * std::sin(t) + std::cos(angle) * std::cos(t);
+            cdm2.push_back(off > 1 ? 0 : cosine > std::cos(r) ? L : 1);
+        }
+    }
+    const image::Picture p = picture(n, n, cdm2);
+    const double direct = L * pi * std::pow(std::sin(r), 2) * std::cos(t), veil = 10 * direct / 900;
+    CHECK(column("n_sources", p, fisheye()) == 1);
+    CHECK(column("Edir", p, fisheye()) == doctest::Approx(direct).epsilon(.01));
+    CHECK(column("LveilCIE", p, fisheye()) == doctest::Approx(veil).epsilon(.01));
+    const double P = position_index(view::Projector(fisheye()), {std::sin(t), std::cos(t), 0});
+    const double omega = 2 * pi * (1 - std::cos(r));
+    CHECK(column("UGR", p, fisheye()) == doctest::Approx(8 * std::log10(.25 * L * L * omega / (P * P))).epsilon(.01));
+    Settings settings;  // terms up to this do not count
+    settings.formulas.veil_cut = 1.1 * veil;
+    CHECK(column("LveilCIE", p, fisheye(), settings) == 0);
 }
 
 TEST_CASE("RAMMG by hand") {

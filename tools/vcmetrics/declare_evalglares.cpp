@@ -94,7 +94,7 @@ void declare_measures(OptionTable& t, glare::Settings& s) {
     t.add("-I Ev ymax ymin", "The same, and fill the rows from ymax up and from ymin down from the row beside them",
           [&](Arguments& a) { read_fill(a, s); });
     t.add("-k lum", "Leave out terms of LveilCIE up to this luminance", [&](Arguments& a) {
-         s.veil_cut = a.real();
+         s.formulas.veil_cut = a.real();
      }).unit("cd/m2");
     t.add("-P model", "Position index: 0 Guth, 1 KIM", [&](Arguments& a) {
          s.position = a.integer(base::within(0, 1)) ? Model::kim : Model::guth;
