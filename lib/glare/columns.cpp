@@ -17,7 +17,7 @@ constexpr Requirements nothing = 0, uncompared = 1u << 31;  // -tolerance leaves
 using require::sources, require::rammg, require::medians, require::mask, require::all_light, require::filled,
     require::regions_in_full, require::reach;
 
-enum Filled { filled_too };
+enum WithFilled { filled_too };
 
 // A formula of G has a meaning for filled pixels as well: with filled_too there are columns NAMEf; NAME.px, the
 // difference from NAMEu; and NAMEf.px; nan where a picture has no moments.  Others, of M, read what only whole pixels
@@ -34,7 +34,7 @@ struct Entry {
         : name(its_name), required(needs), value(of), noise(its_noise), of_glare(nullptr), tolerance(its) {}
     Entry(const char* its_name, Requirements needs, double (*of)(G), Noise its_noise, DefaultTolerance its = {})
         : name(its_name), required(needs), value(nullptr), noise(its_noise), of_glare(of), tolerance(its) {}
-    Entry(const char* its_name, Filled, double (*of)(G), Noise its_noise, DefaultTolerance its = {})
+    Entry(const char* its_name, WithFilled, double (*of)(G), Noise its_noise, DefaultTolerance its = {})
         : Entry(its_name, sources, of, its_noise, its) {
         has_filled = true;
     }

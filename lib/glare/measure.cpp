@@ -126,7 +126,7 @@ struct Filled {
     double mean = 0, luminance = 0;  // of the pixel; on the share of it that is filled
     double beside = 0;               // the largest luminance of what is drawn in the pixels around
 };
-Filled filled(const Reading& r, size_t i) {
+Filled filled_pixel(const Reading& r, size_t i) {
     const float* const of = &(*r.lum.moments)[image::moment_numbers * i];
     Filled f;
     f.is_drawn = of[image::moment_right] != 0 || of[image::moment_up] != 0;
@@ -136,12 +136,12 @@ Filled filled(const Reading& r, size_t i) {
     return f;
 }
 Filled filled_among_others(const Reading& r, size_t i) {
-    Filled f = filled(r, i);
+    Filled f = filled_pixel(r, i);
     if (!f.is_drawn) return f;
     const long width = r.lum.width, x = long(i) % width, y = long(i) / width;
     for (long v = std::max(0L, y - 1); v <= std::min(r.lum.height - 1L, y + 1); ++v)
         for (long u = std::max(0L, x - 1); u <= std::min(width - 1, x + 1); ++u)
-            if (const Filled other = filled(r, size_t(v * width + u)); other.is_drawn)
+            if (const Filled other = filled_pixel(r, size_t(v * width + u)); other.is_drawn)
                 f.beside = std::max(f.beside, other.luminance);
     return f;
 }
