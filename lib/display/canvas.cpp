@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
-#include "base/markup.h"
+#include "base/printable.h"
 #include "display/draw.h"
 #include "display/file.h"
 #include "image/stream.h"

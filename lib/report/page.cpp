@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "base/markup.h"
+#include "base/printable.h"
 #include "base/angle.h"
 #include "glare/columns.h"
 #include "report/page_figures.h"

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/markup.h"
+#include "base/printable.h"
 #include "glare/columns.h"
 
 namespace report {
