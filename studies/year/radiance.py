@@ -57,7 +57,7 @@ def main():
     out = pathlib.Path(sys.argv[1]).resolve()
     for word in sys.argv[2:]:
         scene, hour = word.split(":")
-        tables = sorted((out / scene / "year").glob("*.tsv"))
+        tables = [out / scene / "year.tsv"]
         larger = [p for p in sorted((out / scene).glob(f"truth.*/{hour}.tsv"))]
         print(word, *(f"rpict {side}: {dgp:.4f} (Ev {ev:.0f})" for side in SIDES
                       for dgp, ev in [dgp_of(out, scene, hour, side)]), end="", sep="\t")

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""truth.py OUT [SCENE ...]: how far hours of a year are off, at the size and frames that the year chose by itself.
+"""truth.py OUT [SCENE ...]: how far hours of a year are off that share their paths, at 64 x 64 and at 128 x 128.
 
-Each scene's Mondays (weather.py) are a year at 64 x 64 with nine frames; examples/year.sh renders hours again
-until the class is decided.  HOURS of it, half of them next to a limit of DGP, a quarter with the sun in view, the rest
-by even steps of DGP, are rendered with SIZE x SIZE pixels for the truth.  What is there is not made again.
+Each scene's Mondays (weather.py) are a year of 17 frames.  HOURS of it, half of them next to a limit of DGP, a quarter
+with the sun in view, the rest by even steps of DGP, are rendered by themselves (-hours-apart) with SIZE x SIZE pixels
+and FRAMES frames for the truth.  What is there is not made again.
 """
 import csv
 import math
@@ -39,19 +39,19 @@ def weather_of(scene, out):
     return path
 
 
-def render(out, scene, name, hours, size, frames, seed=1):
-    """The table of these hours, unless it is there."""
+def render(out, scene, name, hours, size, frames, *more):
+    """The table of these hours, unless it is there; with more options of ptrace."""
     path = out / scene / name
     if not path.exists():
         path.parent.mkdir(parents=True, exist_ok=True)
         ptrace = ["ptrace", "-x", size, "-y", size, "-wea", weather_of(scene, out), "-hours", hours,
-                  "-hours-apart", "-frames", frames, "-seed", seed, *words_of(scene)]
+                  "-frames", frames, *more, *words_of(scene)]
         pipe = subprocess.Popen(list(map(str, ptrace)), stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
         sums = subprocess.Popen(["ptaccum", "-every", "x2/8"], stdin=pipe.stdout, stdout=subprocess.PIPE)
         part = path.with_suffix(".part")
         with open(part, "w") as out:
-            subprocess.run(["vcmetrics", "-metrics", "Ev,DGPf,DGP.px,DGPf.px,pixels", "-ci", "95"], stdin=sums.stdout,
-                           stdout=out, check=True)
+            subprocess.run(["vcmetrics", "-metrics", "Ev,DGPf,DGP.px,DGPf.px,pixels", "-ci", "95", "-last"],
+                           stdin=sums.stdout, stdout=out, check=True)
         assert pipe.wait() == 0 and sums.wait() == 0
         part.rename(path)
     return path
@@ -109,39 +109,23 @@ def chosen(year):
     return sorted(picked + [rest[int((k + .5) * len(rest) / n)] for k in range(n)])
 
 
-def verdict(*tables):
-    words = ["vcyear", "-w-", "-format", "tsv", *map(str, tables)]
-    text = subprocess.run(words, stdout=subprocess.PIPE, universal_newlines=True, check=True).stdout
-    return next(csv.DictReader(text.splitlines(), delimiter="\t"))
-
-
-def year_of(scene, out):
-    """The tables of the scene's year: all hours, and those of the rounds."""
-    render(out, scene, "year/0.tsv", YEAR, 64, 9)
-    rounds = ["bash", EXAMPLES / "year.sh", out / scene / "year", weather_of(scene, out), YEAR, "8"]
-    with open(out / scene / "rounds.txt", "a") as said:
-        subprocess.run(list(map(str, rounds + words_of(scene))), env={**os.environ, "SIZE": "64"}, stdout=said,
-                       stderr=subprocess.DEVNULL, check=True)
-    return sorted((out / scene / "year").glob("*.tsv"))
-
-
 def judge(scene, out):
-    tables = year_of(scene, out)
-    first, year = hours_of(tables[0]), hours_of(*tables)
+    first = hours_of(render(out, scene, "year.tsv", YEAR, 64, 17))
     names = chosen(first)
-    exact = hours_of(*(render(out, scene, f"truth.{SIZE}.{FRAMES}/{name}.tsv", name, SIZE, FRAMES, 99)
-                       for name in names))
-    print(f"{scene}: {len(names)} of {len(year)} hours; class {verdict(*tables)['class']}; the truth's own interval "
+    again = hours_of(render(out, scene, "128.tsv", " ".join(names), 128, 17))
+    exact = hours_of(*(render(out, scene, f"truth.{SIZE}.{FRAMES}/{name}.tsv", name, SIZE, FRAMES, "-seed", 99,
+                              "-hours-apart") for name in names))
+    print(f"{scene}: {len(names)} of {len(first)} hours; the truth's own interval "
           f"+- {sum(h.half for h in exact.values()) / len(names):.4f}")
-    for what, said in (("64 x 64", first), ("what the year chose", year)):
-        off = [said[name].dgp - exact[name].dgp for name in names]
+    for size, seen in ((64, first), (128, again)):
+        off = [seen[name].dgp - exact[name].dgp for name in names]
+        median = sorted(map(abs, off))[len(off) // 2]
         within = sum(abs(x) <= .01 for x in off)
-        same = sum(class_of(said[name].dgp) == class_of(exact[name].dgp) for name in names)
-        inside = sum(said[name].holds(exact[name].dgp, exact[name].half) for name in names)
-        larger = sum(said[name].pixels > first[name].pixels for name in names)
-        print(f"{scene}: {what} ({larger} larger): off by {sum(map(abs, off)) / len(off):.4f} in the mean (bias "
-              f"{sum(off) / len(off):+.4f}), .01 or less in {within}, class equal in {same}, within interval and "
-              f"pixels in {inside}")
+        same = sum(class_of(seen[name].dgp) == class_of(exact[name].dgp) for name in names)
+        inside = sum(seen[name].holds(exact[name].dgp, exact[name].half) for name in names)
+        print(f"{scene}: {size} x {size}: off by {sum(map(abs, off)) / len(off):.4f} in the mean (bias "
+              f"{sum(off) / len(off):+.4f}, median {median:.4f}), .01 or less in {within}, class equal in {same}, "
+              f"within interval and pixels in {inside}", flush=True)
 
 
 def main():

@@ -1,84 +1,134 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""years.py OUT [SCENE ...]: how often the intervals of a year hold, and how often its class is wrong.
+"""years.py OUT [DRAW ...]: how often the intervals of a year hold by noise alone, of hours that share their paths.
 
-POOL hours of each scene's Mondays, those next to a limit of DGP, are rendered by SEEDS seeds at 64 x 64, nine frames,
-and once with TRUTH x TRUTH pixels and 17 frames.  A year draws LENGTH hours, of these a seed each, so that errors of
-its hours are independent; the others are hours whose interval holds no limit, the same in all years and taken as true.
-The hours above one limit are about 5 % of it, so that the class is hard to say.  What is there is not made again.
+Rooms are draws of studies/coverage/make_room.py.  The hours of YEAR (weather.py) are rendered by SEEDS sets of paths:
+a view of SIZE x SIZE pixels, and 16 sensors.  YEARS draws of LENGTH hours are then made of each set; about 5 % of a
+view's hours are above one of the limits, so that its class is hard to say.  The truth is the mean of the other sets, so
+that pixels, which are the same in all, do no harm; their bounds are left out.  Draws of one set share its noise: the
+error that is printed is that of the mean over sets.  What is there is not made again.
 """
+import csv
 import os
 import pathlib
 import random
+import statistics
+import subprocess
 import sys
 
-import truth
-from truth import class_of, hours_of, near, render, verdict
+from truth import LIMITS, STUDY
 
-WORDS = {"POOL": 60, "SEEDS": 6, "YEARS": 100, "LENGTH": 200, "TRUTH": 256}
-POOL, SEEDS, YEARS, LENGTH, TRUTH = (int(os.environ.get(*word)) for word in WORDS.items())
-NUMBERS = ["above_0.35", "above_0.40", "above_0.45", "DGPe5"]
+sys.path.insert(0, str(STUDY.parent / "coverage"))
+from make_room import Room  # noqa: E402
 
-
-def pooled(scene, out):
-    """Hours of many seeds: their lines and the true one; and hours that are sure."""
-    year = hours_of(render(out, scene, "year/0.tsv", truth.YEAR, 64, 9))
-    names = sorted((name for name, h in year.items() if h.ev > 0), key=lambda name: near(year[name].dgp))[:POOL]
-    words = " ".join(sorted(names))
-    exact = hours_of(render(out, scene, f"pool.{TRUTH}.tsv", words, TRUTH, 17, 99))
-    seeds = [hours_of(render(out, scene, f"pool.64.{k}.tsv", words, 64, 9, k)) for k in range(2, SEEDS + 2)]
-    sure = {name: h for name, h in year.items() if name not in exact and not any(map(h.holds, truth.LIMITS))}
-    return {name: ([seed[name] for seed in seeds], exact[name]) for name in names}, sure
+WORDS = {"SEEDS": 12, "YEARS": 20, "LENGTH": 200, "SIZE": 32, "FRAMES": 17}
+SEEDS, YEARS, LENGTH, SIZE, FRAMES = (int(os.environ.get(*word)) for word in WORDS.items())
+YEAR = os.environ.get("YEAR", "Mo 8-18")
+NUMBERS = {"view": [f"above_{limit:.2f}" for limit in LIMITS] + ["DGPe5"],
+           "grid": ["DA", "sDA"] + ["UDI_" + part for part in ("below", "supplementary", "autonomous", "exceeded")]}
+METRICS = {"view": ["-metrics", "Ev,DGPf,DGP.px,DGPf.px,pixels", "-ci", "95"], "grid": ["-each"]}
 
 
-def drawn(rng, pool, sure):
-    """Two years, as seen and as it is: hour -> line."""
-    limit = rng.choice([limit for limit in truth.LIMITS if sum(h.dgp > limit for _, h in pool.values()) > 2])
-    above = [name for name, (_, h) in pool.items() if h.dgp > limit]
-    more = [name for name, h in sure.items() if h.dgp > limit]
-    wanted = LENGTH // 20 + rng.randint(-3, 4)
-    above = rng.sample(above, min(wanted, len(above)))
-    above += rng.sample(more, min(wanted - len(above), len(more)))
-    below = [name for name, (_, h) in pool.items() if h.dgp <= limit]
-    rest = [name for name, h in sure.items() if h.dgp <= limit]
-    below += rng.sample(rest, min(len(rest), LENGTH - len(above) - len(below)))
-    seen = {name: rng.choice(pool[name][0]) if name in pool else sure[name] for name in above + below}
-    return seen, {name: pool[name][1] if name in pool else sure[name] for name in seen}
+def rendered(out, draw, what, seed):
+    """(hour, sensor) -> its row."""
+    folder = out / draw
+    path = folder / f"{what}_{seed}.tsv"
+    if not path.exists():
+        room = Room(int(draw))
+        room.write(folder, int(draw))
+        grid = "".join(f"{room.width * (x + .5) / 4} {room.depth * (y + .5) / 4} .8 0 0 1\n"
+                       for y in range(4) for x in range(4))
+        (folder / "grid.pts").write_text(grid)
+        weather = subprocess.run([sys.executable, STUDY / "weather.py"], stdout=subprocess.PIPE, check=True).stdout
+        (folder / "site.epw").write_bytes(weather)
+        where = ["-points", "grid.pts"] if what == "grid" else ["-vf", "view.vf", "-x", SIZE, "-y", SIZE]
+        ptrace = ["ptrace", "-n", 1, "-seed", seed, "-frames", FRAMES, "-wea", "site.epw", "-hours", YEAR, *where]
+        pipe = subprocess.Popen([*map(str, ptrace), "room.rad"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
+                                cwd=folder)
+        sums = subprocess.Popen(["ptaccum", "-every", "x2/8"], stdin=pipe.stdout, stdout=subprocess.PIPE)
+        text = subprocess.run(["vcmetrics", "-last", *METRICS[what]], stdin=sums.stdout, stdout=subprocess.PIPE,
+                              check=True).stdout
+        assert pipe.wait() == 0 and sums.wait() == 0
+        path.with_suffix(".part").write_bytes(text)
+        path.with_suffix(".part").rename(path)
+    rows = {(row["sky"], row.get("point", "")): row for row in csv.DictReader(open(path), delimiter="\t")}
+    for row in rows.values():
+        if what == "view":
+            row.update({"DGP.px": "0", "DGPf.px": "0", "pixels": "1e12"})
+    return rows
 
 
-def table(path, hours):
-    columns = list(next(iter(hours.values())).row)
-    lines = ["\t".join(h.row[c] for c in columns) for h in hours.values()]
-    path.write_text("\t".join(columns) + "\n" + "\n".join(lines) + "\n")
-    return path
+def value(row):
+    low, high = (("lo", "hi") if "lo" in row else ("DGPf.lo", "DGPf.hi"))
+    middle = (float(row[low]) + float(row[high])) / 2
+    return middle if middle == middle else float(row["E" if "E" in row else "DGPf"])
+
+
+def numbers_of(what, truth):
+    """What vcyear prints of these values: hour -> those of its sensors."""
+    n = len(truth)
+    if what == "view":
+        dgp = sorted((values[0] for values in truth.values()), reverse=True)
+        return [sum(x > limit for x in dgp) for limit in LIMITS] + [dgp[n // 20]]
+    sensors = list(zip(*truth.values()))
+    share = [sum(x >= 300 for x in sensor) / n for sensor in sensors]
+    bins = [(0, 100), (100, 300), (300, 3000), (3000, float("inf"))]
+    udi = [sum(low <= x < high for sensor in sensors for x in sensor) / n / len(sensors) for low, high in bins]
+    return [statistics.mean(share), statistics.mean(x >= .5 for x in share)] + udi
+
+
+def drawn(rng, what, truth):
+    """Hours of a year: hour -> values of its sensors."""
+    names = sorted(truth)
+    if what == "grid":
+        return {name: truth[name] for name in sorted(rng.sample(names, LENGTH))}
+    most = [limit for limit in LIMITS if sum(v[0] > limit for v in truth.values()) > 2] or [LIMITS[0]]
+    limit = rng.choice(most)
+    above, below = ([name for name in names if (truth[name][0] > limit) == side] for side in (True, False))
+    above = rng.sample(above, min(len(above), max(1, LENGTH // 20 + rng.randint(-3, 4))))
+    return {name: truth[name] for name in above + rng.sample(below, min(len(below), LENGTH - len(above)))}
+
+
+def said(what, rows, path):
+    columns = list(next(iter(rows.values())))
+    path.write_text("\n".join("\t".join(row) for row in (columns, *(row.values() for row in rows.values()))) + "\n")
+    text = subprocess.run(["vcyear", "-w-", "-format", "tsv", path], stdout=subprocess.PIPE, check=True,
+                          universal_newlines=True).stdout
+    row = next(csv.DictReader(text.splitlines(), delimiter="\t"))
+    return [(float(row[name + ".lo"]), float(row[name + ".hi"])) for name in NUMBERS[what]]
 
 
 def main():
     out = pathlib.Path(sys.argv[1]).resolve()
-    out.mkdir(parents=True, exist_ok=True)
-    rng = random.Random(1)
-    inside, classes = dict.fromkeys(NUMBERS, 0), {"right": 0, "undecided": 0, "wrong": 0}
-    width, years = dict.fromkeys(NUMBERS, 0), 0
-    for scene in sys.argv[2:] or ["office", "translucent"]:
-        pool, sure = pooled(scene, out)
-        off = [line.dgp - h.dgp for lines, h in pool.values() for line in lines]
-        within = sum(line.holds(h.dgp) for lines, h in pool.values() for line in lines)
-        print(f"{scene}: {len(pool)} hours, {SEEDS} seeds: off by {sum(map(abs, off)) / len(off):.4f} in the mean "
-              f"(bias {sum(off) / len(off):+.4f}), within interval and pixels in {within / len(off):.1%}; "
-              f"{len(sure)} others")
-        for _ in range(YEARS):
-            seen, exact = (verdict(table(out / "drawn.tsv", hours)) for hours in drawn(rng, pool, sure))
-            for name in NUMBERS:
-                low, high, true = (float(v) for v in (seen[name + ".lo"], seen[name + ".hi"], exact[name]))
-                inside[name] += low - 1e-9 <= true <= high + 1e-9
-                width[name] += high - low
-            right = ["high", "medium", "minimum", "none"][class_of(float(exact["DGPe5"]) - 1e-9)]
-            classes[{right: "right", "undecided": "undecided"}.get(seen["class"], "wrong")] += 1
-            years += 1
-    for name in NUMBERS:
-        print(f"{name}: {years} years, {inside[name]} inside, mean width {width[name] / years:.3g}")
-    print(f"intervals: {len(NUMBERS) * years} tries, {sum(inside.values())} inside")
-    print(f"class: {years} tries, {classes['right']} right, {classes['undecided']} undecided, {classes['wrong']} wrong")
+    for what in ("view", "grid"):
+        held = {name: [] for name in NUMBERS[what]}  # of each set of paths: share of its years
+        width = {name: [] for name in NUMBERS[what]}
+        for draw in sys.argv[2:]:
+            sets = [rendered(out, draw, what, seed) for seed in range(1, SEEDS + 1)]
+            values = [{key: value(row) for key, row in rows.items()} for rows in sets]
+            rng = random.Random(draw)
+            for k, rows in enumerate(sets):
+                truth = {}
+                for key in rows:
+                    mean = statistics.mean(v[key] for i, v in enumerate(values) if i != k)
+                    truth.setdefault(key[0], []).append(mean)
+                tries = {name: [] for name in NUMBERS[what]}
+                for _ in range(YEARS):
+                    year = drawn(rng, what, truth)
+                    true = numbers_of(what, year)
+                    seen = said(what, {key: row for key, row in rows.items() if key[0] in year}, out / "drawn.tsv")
+                    for name, t, (low, high) in zip(NUMBERS[what], true, seen):
+                        if not low == high == t:  # where it varies
+                            tries[name].append(low - 1e-9 <= t <= high + 1e-9)
+                            width[name].append(high - low)
+                for name, inside in tries.items():
+                    held[name] += [statistics.mean(inside)] if inside else []
+        for name in NUMBERS[what]:
+            if len(held[name]) > 1:
+                error = statistics.stdev(held[name]) / len(held[name]) ** .5
+                print(f"{what} {name}: {len(width[name])} years of {len(held[name])} sets of paths, "
+                      f"{statistics.mean(held[name]):.1%} +- {error:.1%} inside, mean width "
+                      f"{statistics.mean(width[name]):.3g}")
 
 
 if __name__ == "__main__":
