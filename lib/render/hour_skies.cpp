@@ -98,6 +98,7 @@ SkyBlock::SkyBlock(const HourSky* hours, size_t count) : count_(count) {
         const base::Vec3 sun = unit(h->sun);
         level_.push_back(float(h->level));
         ground_.push_back(float(h->ground));
+        horizon_.push_back(float(h->horizon));
         a_.push_back(float(h->shape[0]));
         b_.push_back(float(h->shape[1]));
         c_.push_back(float(h->shape[2]));
@@ -118,8 +119,8 @@ void SkyBlock::radiance(const float* dir, bool mirrored, float* out) const {
     const float dx = dir[0], dy = dir[1], dz = dir[2];
     const float weight = float(std::pow(double(dz) + 1.01, 20)), in = weight / (weight + 1), below = 1 / (weight + 1);
     const float slant = 1 / std::max(dz, .01f), disc = mirrored ? 1.f : 0.f;
-    const float *level = level_.data(), *ground = ground_.data(), *a = a_.data(), *b = b_.data(), *c = c_.data(),
-                *d = d_.data(), *e = e_.data(), *x = x_.data(), *y = y_.data(), *z = z_.data(),
+    const float *level = level_.data(), *ground = (dz < 0 ? ground_ : horizon_).data(), *a = a_.data(), *b = b_.data(),
+                *c = c_.data(), *d = d_.data(), *e = e_.data(), *x = x_.data(), *y = y_.data(), *z = z_.data(),
                 *sun = sun_radiance_.data();
     const size_t n = count_;
     const float least_chord2 = 2 * float(cap);

@@ -13,7 +13,8 @@ struct HourSky {
     uint32_t number = 0;           // of the hour: decides random numbers
     base::Vec3 sun;                // unit
     double sun_radiance = 0;       // 0: it does not shine
-    double level = 0, ground = 0;  // A1, A2
+    double level = 0, ground = 0;  // A1, A2 below the horizon
+    double horizon = 0;            // A2 above it: another one where the sky has little light (weather/light.h)
     double shape[5] = {};          // A3 .. A7: Perez' a b c d e
 };
 constexpr double sun_radius_deg = .2665;
@@ -37,7 +38,7 @@ public:
 
 private:
     size_t count_;
-    std::vector<float> level_, ground_, a_, b_, c_, d_, e_, x_, y_, z_, sun_radiance_, sun_irradiance_;
+    std::vector<float> level_, ground_, horizon_, a_, b_, c_, d_, e_, x_, y_, z_, sun_radiance_, sun_irradiance_;
 };
 
 }  // namespace render

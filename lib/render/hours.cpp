@@ -212,7 +212,7 @@ std::string shared_paths(const ViewPlan& plan) { return base::hash_of(plan.finge
 
 std::string hour_fingerprint(const ViewPlan& plan, const HourSky& h) {
     base::Hash hash;
-    hash.add_all(std::vector<double>{h.sun.x, h.sun.y, h.sun.z, h.sun_radiance, h.level, h.ground});
+    hash.add_all(std::vector<double>{h.sun.x, h.sun.y, h.sun.z, h.sun_radiance, h.level, h.ground, h.horizon});
     hash.add_all(std::vector<double>(h.shape, h.shape + 5));
     return plan.fingerprint + " hour:" + hash.text();
 }

@@ -57,6 +57,13 @@ check 'from the horizon to the zenith a level sensor has the illuminance of sun 
     [ "$(wc -l < expected)" -gt 70 ]
     awk "NR == FNR { lux[\$1] = \$2; next } \$1 in lux { ++n; if ((\$4 / lux[\$1] - 1) ^ 2 > 2e-5) print }
         END { print n }" expected rows > off; [ "$(cat off)" -gt 70 ]'
+check 'an hour without diffuse light has the light of its sun alone' '
+    { printf "$head" 20; printf "4 21 %s.5 800 0\n" 10 11 12 13; } > sun.wea
+    ptrace -w- -points level.pts -wea sun.wea -frames 9 below.rad 2> said > sun.str
+    strings sun.str | awk "/^SUN=/ { up = sin(\$2 * atan2(0, -1) / 180) } /^ILLUMINANCE=/ { lux = \$2 * up }
+        /^SKYNAME=/ { sub(/.*=/, \"\"); print \$0, lux }" | sort -u > expected
+    ptaccum < sun.str | vcmetrics -each -last > rows
+    awk "NR == FNR { lux[\$1] = \$2; next } (\$4 / lux[\$1] - 1) ^ 2 < 4e-8 { ++n } END { exit n != 4 }" expected rows'
 check 'a scene that no sky sees is black, below the sky alone there are sky and sun' '
     printf "void plastic w 0 0 5 .5 .5 .5 0 0\nw bubble b 0 0 4 0 0 0 9\n" > closed.rad
     ev() { ptrace -w- -vta -vp 0 0 0 -vd 0 1 0 -vu 0 0 1 -vh 180 -vv 180 -x 16 -y 16 -wea leap.wea -hours "0621 8-9" \

@@ -47,6 +47,7 @@ static render::HourSky hour_sky(const weather::Hour& hour, const weather::HourLi
     sky.sun_radiance = light.sun_radiance;
     sky.level = light.level;
     sky.ground = light.ground;
+    sky.horizon = light.horizon;
     for (int i = 0; i < 5; i++) sky.shape[i] = light.perez[i];
     return sky;
 }
