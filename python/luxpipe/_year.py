@@ -68,9 +68,9 @@ class Year:
 
 
 def year(scene: PathLike | Sequence[PathLike], view: PathLike | Sequence[str], weather: PathLike, *,
-         hours: str = "Mo-Fr 8-18", size: int | tuple[int, int] = 64, frames: int = 9, seed: int = 1,
+         hours: str = "Mo-Fr 8-18", size: int | tuple[int, int] = 64, frames: int = 33, seed: int = 1,
          options: Sequence[str] = ()) -> Year:
-    """Render the hours of a weather file, each as a sky of its own, and return a `Year`.
+    """Render the hours of a weather file, all from one set of paths, and return a `Year`.
 
     Args:
         scene: RADIANCE's files without a sky, one or several, or the folder of a Honeybee model
@@ -78,7 +78,7 @@ def year(scene: PathLike | Sequence[PathLike], view: PathLike | Sequence[str], w
         weather: an EPW or WEA file
         hours: which hours, as "Mo-Fr 8-18" (ptrace -hours)
         size: pixels, of a square or (width, height)
-        frames: of each hour
+        frames: of each hour, frame 0 among them
         seed: of the random numbers
         options: further options of ptrace
 
