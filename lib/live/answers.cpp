@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "base/number.h"
+#include "base/split.h"
 #include "base/value.h"
 #include "display/tone.h"
 #include "image/exr.h"
@@ -18,6 +20,8 @@
 namespace live {
 
 namespace {
+
+constexpr double patience = 3;  // seconds, for an answer of ptrace
 
 double number(const Arguments& arguments, const char* name, double fallback) {
     const std::string text = arguments(name);
@@ -65,37 +69,39 @@ std::string facts(const image::Picture& p) {
     return out;
 }
 
-Answer file(const Files& files, const Arguments& arguments) {
-    const TextFile* f = named(files, arguments);
+const File* named(const State& s, const Arguments& arguments) {
+    const auto n = count(arguments, "n");
+    return n && *n < s.files.size() ? &s.files[*n] : nullptr;
+}
+
+Answer file(const State& s, const Arguments& arguments) {
+    const File* f = named(s, arguments);
     if (!f) return plain(404, "no such file");
-    FileNow now = f->read();
-    if (!now.trouble.empty()) return plain(409, now.trouble);
-    return {200, "text/plain; charset=utf-8", std::move(now.text), now.tag};
+    if (!f->trouble.empty()) return plain(409, f->trouble);
+    return {200, "text/plain; charset=utf-8", f->text ? *f->text : "", f->tag};
 }
 
 // The outlines in the newest picture, of the file as it is now.
-Answer outlines(const Live& live, const Files& files, const Arguments& arguments) {
-    const TextFile* f = named(files, arguments);
-    const auto picture = live.picture();
-    if (!f || f->kind != TextFile::Kind::regions || !picture) return plain(404, "no regions, or no picture yet");
+Answer outlines(const State& s, const Arguments& arguments) {
+    const File* f = named(s, arguments);
+    if (!f || f->kind != TextFile::Kind::regions || !s.picture) return plain(404, "no regions, or no picture yet");
     try {
-        return {200, "application/json", region_outlines(f->read().text, f->path, *picture)};
+        return {200, "application/json", region_outlines(f->text ? *f->text : "", f->path, *s.picture)};
     } catch (const base::Error& e) {
         return plain(409, e.text);
     }
 }
 
-}  // namespace
-
-const TextFile* named(const Files& files, const Arguments& arguments) {
-    const auto n = count(arguments, "n");
-    return n && *n < files.size() ? &files[*n] : nullptr;
+// The text that stands for a file, with its version; 204: it is the file's own.
+Answer overlaid(const State& s, const Arguments& arguments) {
+    const File* f = named(s, arguments);
+    if (!f) return plain(404, "no such file");
+    const Text& t = s.now.texts[size_t(f - s.files.data())];
+    return {t ? 200u : 204u, "text/plain; charset=utf-8", t ? *t : "", std::to_string(f->version)};
 }
 
-Answer plain(unsigned status, const std::string& text) { return {status, "text/plain; charset=utf-8", text + "\n"}; }
-
 // Length of the text, the text, the pixels.
-static Answer packed(const std::string& text, const image::Picture* picture) {
+Answer packed(const std::string& text, const image::Picture* picture) {
     Answer answer{200, "application/octet-stream", {}};
     const uint32_t length = uint32_t(text.size());
     for (int k = 0; k < 4; ++k) answer.body += char(length >> 8 * k & 255);
@@ -105,7 +111,17 @@ static Answer packed(const std::string& text, const image::Picture* picture) {
     return answer;
 }
 
-std::optional<Answer> answer_next(Live& live, const Arguments& arguments) {
+// The picture of a variant; without a name: of the edit before.
+Answer variant(const State& s, const std::string& name) {
+    const Variant* v = find_variant(s.now, name);
+    const Result* known = v ? result_of(s, v->look) : nullptr;
+    const auto picture = known ? known->picture : name.empty() ? s.before : nullptr;
+    return picture ? packed("{\"picture\":0" + facts(*picture) + "}", picture.get()) : plain(404, "no picture");
+}
+
+}  // namespace
+
+std::optional<Answer> answer_next(const Live& live, const Arguments& arguments) {
     const auto known = [&](const char* what) { return count(arguments, what).value_or(0); };
     const auto news =
         live.since({known("picture"), known("line"), known("files"), known("design")}, !arguments("end").empty());
@@ -117,22 +133,6 @@ std::optional<Answer> answer_next(Live& live, const Arguments& arguments) {
     if (news->ended) text += ",\"ended\":" + std::to_string(*news->ended);
     if (news->shown) text += facts(*news->shown);
     return packed(text + "}", news->shown.get());
-}
-
-Answer answer_put(Live& live, const Files& files, const Arguments& arguments, const std::string& text,
-                  const std::string& tag) {
-    const TextFile* f = named(files, arguments);
-    if (!f) return plain(404, "no such file");
-    if (!f->writable) return plain(403, f->path + " was not named to be written");
-    try {
-        const std::optional<FileWritten> written = f->write(text, tag);
-        if (!written) return plain(412, f->path + " has been changed by another program");
-        if (f->kind == TextFile::Kind::regions)
-            live.change([&](Design& d) { d.wrote(size_t(f - files.data()), written->before, written->tag); });
-        return {200, "text/plain; charset=utf-8", "", written->tag};
-    } catch (const base::Error& e) {
-        return plain(e.kind == base::Kind::input ? 400 : 500, e.text);
-    }
 }
 
 std::optional<Answer> answer_sources(Asked& sources, const Arguments& arguments) {
@@ -160,41 +160,37 @@ std::optional<Answer> answer_plan(Asked& plan, const Arguments& arguments) {
     return Answer{200, "application/json", "{\"number\":" + std::to_string(found->picture) + "," + found->text};
 }
 
-// The text that stands for a file, with its version; 204: it is the file's own.
-static Answer overlaid(const Live& live, const Files& files, const Arguments& arguments) {
-    const TextFile* f = named(files, arguments);
-    if (!f) return plain(404, "no such file");
-    return live.ask([&](const Design& d) {
-        const size_t n = size_t(f - files.data());
-        const Design::Text t = n < d.texts.size() ? d.texts[n] : Design::Text();
-        return Answer{t.now ? 200u : 204u, "text/plain; charset=utf-8", t.now.value_or(""), std::to_string(t.version)};
-    });
+std::optional<Answer> answer_what(const State& s, const Arguments& arguments) {
+    double x, y;
+    if (!base::parse_real(arguments("x"), x) || !base::parse_real(arguments("y"), y)) return plain(400, "no place");
+    const auto found = s.questions.find(arguments("x") + " " + arguments("y"));
+    if (found == s.questions.end() || !s.picture) return std::nullopt;
+    const std::string edit = std::to_string(s.picture->header.edit.value_or(0)) + "\t", &answer = found->second.answer;
+    if (!base::begins_with(answer, edit)) return std::nullopt;
+    return Answer{200, "text/plain; charset=utf-8", answer.substr(edit.size()), ""};
 }
 
-Answer answer_query(const Live& live, const Files& files, const std::string& path, const Arguments& arguments) {
-    if (path == "/file") return file(files, arguments);
-    if (path == "/overlay") return overlaid(live, files, arguments);
-    if (path == "/variant") {
-        const auto picture = live.ask([&](const Design& d) {
-            const Design::Variant* v = d.variant(arguments("name"));
-            return v ? v->picture : arguments("name").empty() ? d.before : nullptr;
-        });
-        return picture ? packed("{\"picture\":0" + facts(*picture) + "}", picture.get()) : plain(404, "no picture");
-    }
-    if (path == "/outlines") return outlines(live, files, arguments);
+bool is_to_be_asked(const State& s, const Arguments& arguments) {
+    const auto found = s.questions.find(arguments("x") + " " + arguments("y"));
+    return found == s.questions.end() || s.at - found->second.at > patience;
+}
+
+Answer answer_query(const State& s, const std::string& path, const Arguments& arguments) {
+    if (path == "/file") return file(s, arguments);
+    if (path == "/overlay") return overlaid(s, arguments);
+    if (path == "/variant") return variant(s, arguments("name"));
+    if (path == "/outlines") return outlines(s, arguments);
     if (path == "/table") return falsecolor(arguments);
     if (path == "/srgb") return {200, "application/json", json::numbers(display::srgb_codes().thresholds)};
     if (path == "/pixel") {
-        const auto picture = live.picture();
         const auto x = count(arguments, "x"), y = count(arguments, "y");
-        const std::string known = picture && x && y ? pixel_facts(*picture, int(*x), int(*y)) : "";
+        const std::string known = s.picture && x && y ? pixel_facts(*s.picture, int(*x), int(*y)) : "";
         return known.empty() ? plain(404, "no such pixel") : Answer{200, "application/json", known};
     }
     if (path == "/save") {
-        const auto picture = live.picture();
         const std::string as = arguments("as"), type = "application/octet-stream";
-        if (picture && as == "hdr") return {200, type, image::picture_bytes(*picture, image::Format::rgbe)};
-        if (picture && as == "exr") return {200, type, image::exr_bytes("luxpipe.exr", *picture)};
+        if (s.picture && as == "hdr") return {200, type, image::picture_bytes(*s.picture, image::Format::rgbe)};
+        if (s.picture && as == "exr") return {200, type, image::exr_bytes("luxpipe.exr", *s.picture)};
         return plain(404, "no such file");
     }
     return plain(404, "nothing here");

@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// See day.h.
-#include "live/day.h"
-
+// DGPf over the hours of the sky's date.  A pipe of the same programs renders the scene small, hour by hour, while the
+// picture of the page is good enough; it begins anew when the model, the view or the date is another one.
 #include <algorithm>
 #include <cmath>
 #include <regex>
 
-#include "base/split.h"
-#include "live/commands.h"
 #include "live/json.h"
+#include "live/steps.h"
 
 namespace live {
 
 namespace {
 
-constexpr int side = 64;             // pixels
 constexpr int64_t last_frame = 8;    // of an hour
 constexpr int64_t good_enough = 32;  // frames of the page's picture
 constexpr int noon = 12;             // the first hour
@@ -41,125 +38,83 @@ std::optional<std::pair<size_t, size_t>> place_of_hour(const std::string& text) 
     return {};
 }
 
-std::string with_hour(const std::string& text, int hour) {
-    const auto [from, to] = *place_of_hour(text);
-    return text.substr(0, from) + std::to_string(hour) + text.substr(to);
+Text with_hour(const Text& text, int hour) {
+    const auto [from, to] = *place_of_hour(*text);
+    return (*text).substr(0, from) + std::to_string(hour) + (*text).substr(to);
 }
 
-}  // namespace
-
-Day::Day(std::string control, const std::string& lines, const Files& files, Live& live)
-    : control_(std::move(control)), files_(files), live_(live) {
-    if (!control_.empty()) lines_.emplace(lines);
+void end_at(Day& day, int hour) {
+    if (hour <= noon) day.ends[0] = true;
+    if (hour >= noon) day.ends[1] = true;
 }
 
-void Day::look() {
-    if (!lines_) return;
-    const Live::Numbers now = live_.numbers();
-    if (now.design != seen_.design || now.files != seen_.files) begin();
-    seen_ = now;
-    for (const std::string& line : lines_->read()) take(line);
-    const auto picture = live_.picture();
-    const bool moves = live_.ask([](const Design& d) { return d.preview.has_value(); });
-    if (!moves && sky_ && picture && picture->header.edited != "preview" &&
-        picture->header.frames.value_or(0) >= good_enough)
-        ask_next();
-}
-
-void Day::begin() {
-    const auto [stand, view] = live_.ask([](const Design& d) {
-        std::vector<std::optional<std::string>> all;
-        for (const Design::Text& t : d.texts) all.push_back(t.now);
-        return std::pair(all, d.views.empty() ? "" : d.views.back());
-    });
-    std::vector<std::string> texts;
-    for (size_t n = 0; n < files_.size(); ++n)
-        texts.push_back(files_[n].kind == TextFile::Kind::regions ? "" : stand[n] ? *stand[n] : files_[n].read().text);
-    std::optional<size_t> sky;
-    for (size_t n = 0; n < texts.size() && !sky; ++n)
-        if (place_of_hour(texts[n])) {
-            sky = n;
-            texts[n] = with_hour(texts[n], noon);
-        }
-    if (texts == texts_ && view == view_) return;
-    texts_ = std::move(texts), view_ = view, sky_ = sky;
-    given_ = ends_[0] = ends_[1] = false;
-    hours_.clear(), asked_.reset(), edit_.reset();
-    show();
-}
-
-void Day::end_at(int hour) {
-    if (hour <= noon) ends_[0] = true;
-    if (hour >= noon) ends_[1] = true;
-}
-
-bool Day::send(const std::string& bytes) { return write_whole(control_, bytes) == Written::whole; }
-
-std::optional<int> Day::next_hour() const {
-    if (hours_.empty()) return noon;
-    const int first = hours_.begin()->first, last = hours_.rbegin()->first;
-    const bool before = !ends_[0] && first > 0, after = !ends_[1] && last < 24;
+std::optional<int> next_hour(const Day& day) {
+    if (day.hours.empty()) return noon;
+    const int first = day.hours.begin()->first, last = day.hours.rbegin()->first;
+    const bool before = !day.ends[0] && first > 0, after = !day.ends[1] && last < 24;
     if (before && (!after || noon - first <= last - noon)) return first - 1;
     return after ? std::optional<int>(last + 1) : std::nullopt;
 }
 
-// Texts, view and size once; then the sky of one hour after another.  "what" tells which edit the hour has become.
-void Day::ask_next() {
-    if (asked_ || !next_hour()) return;
-    if (pipe_ == Pipe::asleep && send("begin\n")) pipe_ = Pipe::called;
-    if (pipe_ != Pipe::awake) return;
-    std::string bytes;
-    if (!given_) {
-        bytes = "size " + std::to_string(side) + " " + std::to_string(side) + "\n";
-        for (size_t n = 0; n < files_.size(); ++n)
-            if (files_[n].kind != TextFile::Kind::regions) bytes += overlaying(files_[n], texts_[n]);
-        if (!view_.empty()) bytes += "view" + view_ + "\n";
-    }
-    const int hour = *next_hour();
-    bytes += overlaying(files_[*sky_], with_hour(texts_[*sky_], hour)) + "what .5 .5\n";
-    if (!send(bytes)) return;
-    given_ = true;
-    asked_ = hour;
-    edit_.reset();
+// The model of the page at noon: anew where it is another one.
+void begin(State& s) {
+    Look look = look_now(s);
+    std::optional<size_t> sky;
+    for (size_t n = 0; n < look.texts.size() && !sky; ++n)
+        if (look.texts[n] && place_of_hour(*look.texts[n])) sky = n;
+    if (sky) look.texts[*sky] = with_hour(look.texts[*sky], noon);
+    if (look == s.day.look) return;
+    s.day = {};
+    s.day.sky = sky, s.day.look = look;
 }
 
-void Day::take(const std::string& line) {
-    if (pipe_ == Pipe::called) return void(pipe_ = Pipe::awake);
-    const std::vector<std::string> cells = base::split_list(line, '\t');
-    if (base::begins_with(line, "ptrace: what ") && cells.size() > 1) edit_ = cells[1];
-    else if (base::begins_with(line, "frame\t")) columns_ = cells;
-    else if (base::begins_with(line, "ptrace: ") && line.find(": warning: ") == line.npos && asked_) {
-        end_at(*asked_);  // there is no sky at this hour
-        asked_.reset();
-    }
-    const auto at = [&](const char* name) {
-        const size_t c = size_t(std::find(columns_.begin(), columns_.end(), name) - columns_.begin());
-        return c < cells.size() ? cells[c] : "";
-    };
-    const auto number = [&](const char* name) { return std::strtod(at(name).c_str(), nullptr); };
-    if (cells.size() == columns_.size() && cells != columns_ && number("frame") >= double(last_frame))
-        rows_[at("edit")] = {number("DGPf"), number("DGPf.lo"), number("DGPf.hi"), number("Ev")};
-    if (!asked_ || !edit_ || !rows_.count(*edit_)) return;
-    const std::array<double, 4> row = rows_[*edit_];
-    rows_ = {{*edit_, row}};
+void take_hour(Day& day, const std::array<double, 4>& row) {
     double brightest = 0;
-    for (const auto& [hour, of_hour] : hours_) brightest = std::max(brightest, of_hour[3]);
-    const auto nearer = hours_.find(*asked_ + (*asked_ > noon ? -1 : 1));
-    if (is_dark(row[3], nearer == hours_.end() ? 0 : nearer->second[3], brightest)) end_at(*asked_);
-    hours_[*asked_] = row;
-    asked_.reset();
-    show();
+    for (const auto& [hour, of_hour] : day.hours) brightest = std::max(brightest, of_hour[3]);
+    const auto nearer = day.hours.find(*day.asked + (*day.asked > noon ? -1 : 1));
+    if (is_dark(row[3], nearer == day.hours.end() ? 0 : nearer->second[3], brightest)) end_at(day, *day.asked);
+    day.hours[*day.asked] = row;
+    day.asked.reset();
 }
 
-void Day::show() {
-    std::string text;
-    for (const auto& [hour, row] : hours_)
-        if (row[3] >= dark_lx)
-            text += (text.empty() ? "" : ",") + json::numbers({double(hour), row[0], row[1], row[2]});
-    text = sky_ ? "{\"file\":" + std::to_string(*sky_) + ",\"hours\":[" + text +
-                      "],\"ended\":" + (next_hour() ? "false}" : "true}")
-                : "null";
-    live_.change([&](Design& d) { d.day = text; });
+}  // namespace
+
+void look_at_day(State& s, Effects& out) {
+    Pipe& p = s.pipe(Which::day);
+    Day& day = s.day;
+    if (p.stage == Pipe::Stage::none) return;
+    begin(s);
+    const bool seen = day.asked && p.sent.empty() && p.edit >= p.first_edit && p.look == day.asked_look;
+    if (seen && s.hour.first == p.edit) take_hour(day, s.hour.second);
+    const image::Picture* shown = s.picture.get();
+    if (s.preview || day.asked || !day.sky || !next_hour(day) || p.stage == Pipe::Stage::ended) return;
+    if (!shown || shown->header.edited == "preview" || shown->header.frames.value_or(0) < good_enough) return;
+    if (p.stage == Pipe::Stage::asleep) start(s, out, Which::day);
+    day.asked = next_hour(day);
+    day.asked_look = day.look;
+    day.asked_look.texts[*day.sky] = with_hour(day.look.texts[*day.sky], *day.asked);
+    tell(s, out, Which::day, day.asked_look, std::to_string(*day.asked) + ":00");
+}
+
+void take_of_day(State& s, const Measured& m) {
+    if (m.row.frame() >= last_frame)
+        s.hour = {m.row.edit(), {m.row.of("DGPf"), m.row.of("DGPf.lo"), m.row.of("DGPf.hi"), m.row.of("Ev")}};
+}
+
+// There is no sky at this hour.
+void fail_hour(State& s) {
+    if (s.day.asked) end_at(s.day, *s.day.asked);
+    s.day.asked.reset();
+}
+
+std::string json_of_day(const State& s) {
+    if (!s.day.sky) return "null";
+    std::vector<std::vector<double>> hours;
+    for (const auto& [hour, row] : s.day.hours)
+        if (row[3] >= dark_lx) hours.push_back({double(hour), row[0], row[1], row[2]});
+    return json::object({{"file", std::to_string(*s.day.sky)},
+                         {"hours", json::list_of(hours, json::numbers)},
+                         {"ended", json::truth(!next_hour(s.day))}});
 }
 
 }  // namespace live

@@ -9,25 +9,24 @@
 
 namespace live {
 
-// regions: the text of the region file; empty: none.
-std::string design_text(const Design& design, const Files& files, const std::string& regions);
-// regions: those of the text.  Throws Error (place: the file and line) for what is no design of these files.
-Design read_design(const std::string& text, const std::string& place, const Files& files, std::string& regions);
+std::string design_text(const State& s);
+// The state with the design of the text; regions: those of the text.  Throws Error (place: the file and line) for what
+// is no design of its files.
+State with_design(State s, const std::string& text, const std::string& place, std::string& regions);
 
 // View files as named views, where the design has none of the name.
-void offer_views(const std::vector<std::string>& files, Live& live);
+State with_views(State s, const std::vector<std::string>& files);
 
 class DesignFile {
 public:
     // path: empty for none.  Reads the file if there is one; its regions count where the region file has none.
-    DesignFile(std::string path, const Files& files, Live& live);
-    // Writes the file if the design has changed since.  The page shows a failure once.
+    DesignFile(std::string path, Live& live);
+    // Writes the file if the design has changed since.  The page shows a failure until it is mended.
     // last: of the programs; numbers that have changed since the last change are written, too.
     void look(bool last = false);
 
 private:
     const std::string path_;
-    const Files& files_;
     Live& live_;
     std::string written_, trouble_;
     Live::Numbers seen_;

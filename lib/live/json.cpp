@@ -19,16 +19,13 @@ std::string text(const std::string& s) {
 
 std::string number(double v) { return std::isfinite(v) ? fmt::format("{}", v) : "null"; }
 
-namespace {
-template <class ITEMS, class WRITE>
-std::string list_of(const ITEMS& items, WRITE&& write) {
-    std::string out = "[";
-    for (const auto& item : items) out += (out.size() > 1 ? "," : "") + write(item);
-    return out + "]";
-}
-}  // namespace
-
 std::string list(const std::vector<std::string>& items) { return list_of(items, text); }
 std::string numbers(const std::vector<double>& values) { return list_of(values, number); }
+
+std::string object(const std::vector<std::pair<const char*, std::string>>& members) {
+    std::string out = "{";
+    for (const auto& [name, value] : members) out += (out.size() > 1 ? ",\"" : "\"") + (name + ("\":" + value));
+    return out + "}";
+}
 
 }  // namespace live::json

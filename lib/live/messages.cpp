@@ -2,42 +2,39 @@
 // See messages.h.
 #include "live/messages.h"
 
-#include <poll.h>
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
 
 #include "base/descriptor.h"
-#include "base/split.h"
+#include "base/error.h"
+#include "live/programs.h"
 
 namespace live {
 
-void pass_on(const std::string& line, Live& live) {
-    const std::string whole = line + "\n";
-    base::write_all(2, whole.data(), whole.size());
-    live.change([&](Design& d) { d.tell(line); });
+namespace {
+const std::string our_last_line = "\4";
 }
 
-Messages::Messages(const std::string& fifo, Live& live) : live_(live), lines_(fifo), thread_([this] { listen(); }) {}
+// Opened for both ways: it is there before its writers and does not end with them.
+Messages::Messages(const std::string& fifo, Live& live) {
+    errno = 0;
+    fd_ = open(fifo.c_str(), O_RDWR | O_CLOEXEC);
+    if (fd_ < 0) base::fail_system(fifo, "cannot be opened");
+    thread_ = std::thread([this, &live] {
+        read_lines(fd_, [&](const std::string& line) {
+            if (line == our_last_line) return false;
+            return live.put_said(Which::picture, line), true;
+        });
+    });
+}
 
 Messages::~Messages() {
-    ends_ = true;
+    const std::string end = "\n" + our_last_line + "\n";
+    base::write_all(fd_, end.data(), end.size());
     thread_.join();
-    take_lines();
-    take(lines_.rest());
-}
-
-void Messages::listen() {
-    while (!ends_) {
-        pollfd one{lines_.descriptor(), POLLIN, 0};
-        if (poll(&one, 1, 200) > 0) take_lines();
-    }
-}
-
-void Messages::take_lines() {
-    for (const std::string& line : lines_.read()) take(line);
-}
-
-void Messages::take(const std::string& line) {
-    if (base::begins_with(line, "ptrace: what ")) return live_.put_seen(line);
-    if (!line.empty()) pass_on(line, live_);
+    close(fd_);
 }
 
 }  // namespace live

@@ -13,17 +13,16 @@
 #include <cstring>
 #include <thread>
 
-#include "live/against.h"
 #include "live/answers.h"
-#include "live/commands.h"
-#include "live/day.h"
 #include "live/design_file.h"
 #include "base/descriptor.h"
 #include "base/error.h"
 #include "live/guard.h"
 #include "live/http.h"
 #include "live/json.h"
+#include "live/outbox.h"
 #include "live/page.h"
+#include "live/point_files.h"
 #include "live/visitors.h"
 
 namespace live {
@@ -36,7 +35,7 @@ constexpr auto between_looks = std::chrono::milliseconds(250);  // at the clock 
 constexpr size_t longest_body = longest_file;
 constexpr unsigned most_connections = 500;
 
-struct Request {
+struct Visit {
     unsigned refused = 0;  // a status, if it is
     std::string body;
     bool too_long = false;
@@ -58,8 +57,8 @@ const PageFile* page_file(const std::string& path) {
 
 struct Server::State {
     Live& live;
+    Outbox& commands;
     const ServerOptions& options;
-    Files files = options.files;
     std::string token = new_token();
     MHD_Daemon* daemon = nullptr;
     std::mutex mutex;  // of what follows
@@ -69,20 +68,16 @@ struct Server::State {
     std::thread ticker;
     std::optional<Asked> sources, report, map;
     Visitors visitors;
+    DesignFile design;
+    PointFiles points;
 
-    std::optional<DesignFile> design;
-    std::mutex looking;  // at what other pipes do
-    std::optional<Day> day;
-    std::optional<Plan> plan;
-    std::optional<Against> against;
-
-    State(Live& l, const ServerOptions& o) : live(l), options(o) {
-        live.change([&](Design& d) { d.texts.resize(files.size()); });
-        design.emplace(options.design, files, live);
-        against.emplace(options.against, live);  // over the base of the design
-        offer_views(options.views, live);
-        day.emplace(options.day, options.hours, files, live);
-        plan.emplace(options.plan, files, live);
+    State(Live& l, Outbox& c, const ServerOptions& o)
+        : live(l), commands(c), options(o), design(o.design, l), points(o.plan) {
+        live.begin([&](live::State& s) {
+            s = with_views(std::move(s), options.views);
+            if (options.against == "previous" || options.against == "first") s.against = options.against;
+            else if (!options.against.empty()) s.now.base = options.against;  // over that of the design
+        });
     }
 
     void wake() {
@@ -91,57 +86,47 @@ struct Server::State {
         waiting.clear();
     }
 
-    // Looks whether files have changed, and lets requests that have waited long look at their clock.
+    // Looks at files and at the clock, and lets requests that have waited long look at it, too.
     void keep_time() {
         auto woken = Clock::now();
         std::unique_lock<std::mutex> lock(mutex);
         while (!tick.wait_for(lock, between_looks, [&] { return ends; })) {
             visitors.look();
             lock.unlock();
-            const bool changed = look_at_files();
-            const Commanded to{live, files, options.control};
-            give_opened(to);
-            end_preview(to);
-            design->look();
-            look_at_pipes(false);
-            against->say();
+            live.look_at_files();
+            if (!options.control.empty()) live.put(Listens{Which::picture, commands.listens(options.control)});
+            points.look(live);
+            live.put(Tick{});
+            design.look();
             lock.lock();
-            if (!changed && Clock::now() - woken < longest_wait / 4) continue;
+            if (Clock::now() - woken < longest_wait / 4) continue;
             woken = Clock::now();
             lock.unlock();
-            if (changed) live.put_file_change();
-            else wake();
+            wake();
             lock.lock();
         }
     }
 
-    void look_at_pipes(bool asked) {
-        const std::lock_guard<std::mutex> lock(looking);
-        day->look();
-        plan->look(asked);
+    // Why no program can be told anything.
+    std::optional<Answer> deaf() {
+        if (options.own) return {};
+        if (options.control.empty()) return plain(404, "vcview was started without -control");
+        const bool listens = commands.listens(options.control);
+        live.put(Listens{Which::picture, listens});
+        if (!listens) return plain(409, "nobody reads the FIFO");
+        return commands.is_full() ? std::optional<Answer>(plain(503, "ptrace has not read the commands before"))
+                                  : std::nullopt;
     }
 
     // An answer, or the request waits until there is one.
     template <class ASK>
-    MHD_Result wait_for(MHD_Connection* connection, const Request& request, ASK&& ask) {
+    MHD_Result wait_for(MHD_Connection* connection, const Visit& request, ASK&& ask) {
         const std::lock_guard<std::mutex> lock(mutex);
         if (const std::optional<Answer> answer = ask()) return send(connection, *answer);
         if (ends || Clock::now() - request.since > longest_wait) return send(connection, {MHD_HTTP_NO_CONTENT, "", ""});
         waiting.push_back(connection);
         MHD_suspend_connection(connection);
         return MHD_YES;
-    }
-
-    // Files that other programs have written since: their own texts count.
-    bool look_at_files() {
-        bool changed = false;
-        for (size_t n = 0; n < files.size(); ++n) {
-            if (!files[n].changed()) continue;
-            changed = true;
-            const std::string text = files[n].read().text;
-            live.change([&](Design& d) { d.replaced(n, text); });
-        }
-        return changed;
     }
 
     // 0: the request has the token; else the status that refuses it.
@@ -156,29 +141,25 @@ struct Server::State {
     }
 
     Answer facts() const {
-        std::string text = std::string("{\"control\":") + (options.control.empty() ? "false" : "true") + ",\"files\":[";
-        for (const TextFile& f : files)
-            text += std::string(&f == files.data() ? "" : ",") + "{\"name\":" + json::text(f.path) +
-                    ",\"regions\":" + (f.kind == TextFile::Kind::regions ? "true" : "false") +
-                    ",\"writable\":" + (f.writable ? "true}" : "false}");
-        return {MHD_HTTP_OK, "application/json", text + "]}"};
+        const std::string files = json::list_of(live.files(), [](const TextFile& f) {
+            return json::object({{"name", json::text(f.path)},
+                                 {"regions", json::truth(f.kind == TextFile::Kind::regions)},
+                                 {"writable", json::truth(f.writable)}});
+        });
+        const bool control = options.own || !options.control.empty();
+        return {MHD_HTTP_OK, "application/json", json::object({{"control", json::truth(control)}, {"files", files}})};
     }
 
     MHD_Result answer(MHD_Connection* connection, const std::string& path, const std::string& method,
-                      const Request& request) {
+                      const Visit& request) {
         if (request.refused) return send(connection, plain(request.refused, "no"));
         if (request.too_long) return send(connection, plain(MHD_HTTP_CONTENT_TOO_LARGE, "too long"));
         const auto asked = arguments(connection);
-        if (method == "POST") {
-            if (path == "/plan") return send(connection, plan->limit(asked("limit")));
-            const Answer done = answer_command({live, files, options.control}, path, asked, request.body);
-            look_at_pipes(true);  // hours of another model are no more
-            return send(connection, done);
-        }
-        if (path == "/file" && method == "PUT") {
+        const bool put = path == "/file" && method == "PUT";
+        if (method == "POST" || put) {
             std::string tag = header(connection, "If-Match");
             if (tag.size() >= 2 && tag.front() == '"') tag = tag.substr(1, tag.size() - 2);
-            return send(connection, answer_put(live, files, asked, request.body, tag));
+            return send(connection, live.ask({path, asked, request.body, tag, put, deaf()}));
         }
         if (path == "/control") return send(connection, plain(MHD_HTTP_METHOD_NOT_ALLOWED, "POST only"));
         if (method != "GET") return send(connection, plain(MHD_HTTP_METHOD_NOT_ALLOWED, "GET only"));
@@ -187,11 +168,17 @@ struct Server::State {
         if (path == "/next") return wait_for(connection, request, [&] { return answer_next(live, asked); });
         if (path == "/sources") return wait_for(connection, request, [&] { return answer_sources(*sources, asked); });
         if (path == "/plan") return wait_for(connection, request, [&] { return answer_plan(*map, asked); });
-        if (path == "/what")
-            return wait_for(connection, request, [&] { return answer_what({live, files, options.control}, asked); });
+        if (path == "/what") {
+            if (is_to_be_asked(live.state(), asked)) {
+                const Answer told = live.ask({path, asked, "", "", false, deaf()});
+                if (told.status != MHD_HTTP_NO_CONTENT) return send(connection, told);
+            }
+            return wait_for(connection, request, [&] { return answer_what(live.state(), asked); });
+        }
         if (path == "/report") return wait_for(connection, request, [&] { return answer_report(*report, asked); });
         if (path == "/facts") return send(connection, facts());
-        return send(connection, answer_query(live, files, path, asked));
+        if (path == "/file" || path == "/overlay") live.look_at_files();
+        return send(connection, answer_query(live.state(), path, asked));
     }
 
     static MHD_Result on_request(void* self, MHD_Connection* connection, const char* url, const char* method,
@@ -199,14 +186,14 @@ struct Server::State {
         State& state = *static_cast<State*>(self);
         try {
             if (!*request_of) {
-                auto request = std::make_unique<Request>();
+                auto request = std::make_unique<Visit>();
                 const unsigned why = state.refused(connection);
                 if (why == 0) state.visitors.know(visitor(connection));
                 request->refused = why == MHD_HTTP_UNAUTHORIZED && page_file(url) ? 0 : why;
                 *request_of = request.release();
                 return MHD_YES;
             }
-            Request& request = *static_cast<Request*>(*request_of);
+            Visit& request = *static_cast<Visit*>(*request_of);
             if (*size == 0) return state.answer(connection, url, method, request);
             request.too_long = request.too_long || request.body.size() + *size > longest_body;
             if (!request.too_long && !request.refused) request.body.append(data, *size);
@@ -221,7 +208,7 @@ struct Server::State {
 
     static void on_end(void* self, MHD_Connection* connection, void** request_of, MHD_RequestTerminationCode) {
         static_cast<State*>(self)->visitors.answer(visitor(connection));
-        delete static_cast<Request*>(*request_of);
+        delete static_cast<Visit*>(*request_of);
         *request_of = nullptr;
     }
 
@@ -243,7 +230,8 @@ struct Server::State {
     }
 };
 
-Server::Server(Live& live, const ServerOptions& options) : state_(std::make_unique<State>(live, options)) {
+Server::Server(Live& live, Outbox& commands, const ServerOptions& options)
+    : state_(std::make_unique<State>(live, commands, options)) {
     sockaddr_in address = {};
     address.sin_family = AF_INET;
     address.sin_port = htons(uint16_t(options.port));
@@ -251,12 +239,8 @@ Server::Server(Live& live, const ServerOptions& options) : state_(std::make_uniq
         base::fail("-listen", "\"" + options.listen + "\" is not an address such as 127.0.0.1");
     const auto wake = [state = state_.get()] { state->wake(); };
     state_->sources.emplace([&live, &options] { return find_sources(live, options.sources); }, wake);
-    state_->report.emplace(
-        [&live, &options, state = state_.get()] {
-            return find_report(live, state->files, options.report, *state->plan);
-        },
-        wake);
-    state_->map.emplace([state = state_.get()] { return state->plan->draw(); }, wake);
+    state_->report.emplace([&live, &options] { return find_report(live, options.report, options.plan); }, wake);
+    state_->map.emplace([&live, &options] { return find_plan(live, options.plan); }, wake);
     errno = 0;
     state_->daemon = MHD_start_daemon(
         MHD_USE_EPOLL_INTERNAL_THREAD | MHD_ALLOW_SUSPEND_RESUME, uint16_t(options.port), nullptr, nullptr,
@@ -266,7 +250,6 @@ Server::Server(Live& live, const ServerOptions& options) : state_(std::make_uniq
         size_t(64 * 1024), MHD_OPTION_CONNECTION_TIMEOUT, 30u, MHD_OPTION_END);
     if (!state_->daemon) base::fail_system("-port", "the page cannot be served there");
     live.on_change([state = state_.get()] { state->wake(); });
-    state_->look_at_files();  // as they are now: later looks compare with it
     state_->ticker = std::thread([state = state_.get()] { state->keep_time(); });
 }
 
@@ -278,7 +261,7 @@ Server::~Server() {
     }
     state_->tick.notify_all();
     state_->ticker.join();
-    state_->design->look(true);
+    state_->design.look(true);
     state_->sources.reset();
     state_->report.reset();
     state_->map.reset();

@@ -26,34 +26,37 @@
 //   POST /variant?name=&do=      keep (no name: the next letter), show, base, drop, or call (to=NAME)
 //   POST /place?name=&do=        keep the view under a name, or drop it
 //   POST /back                   asks for the view before this one
-//   POST /undo?state=            takes the last change of a text, the view or the regions back, in this state of the
-//                                list of changes (412 if there is a newer one)
+//   POST /undo?state=, /redo?state=   takes the last change back, or makes it again, in this state of the list of
+//                                changes (412 if there is a newer one)
+//   POST /dismiss?number=        a message stands no more
+//   POST /start                  starts programs again that have ended
 #pragma once
 #include <memory>
 #include <string>
-#include "live/files.h"
 #include "live/live.h"
-#include "live/plan.h"
+#include "live/sources.h"
 
 namespace live {
+
+class Outbox;
 
 struct ServerOptions {
     int port = 0;                      // 0: any that is free
     std::string listen = "127.0.0.1";  // address
     std::string control;               // FIFO of ptrace -control; empty: none
-    Files files;                       // that the page may show or change
+    bool own = false;                  // the programs are ours, and read what they are told
     std::vector<std::string> views;    // view files that are offered
+    std::string against;               // what edits are compared with: previous, first or a variant
     std::string design;                // file that the design is read from and written to; empty: none
-    std::string day, hours;            // FIFOs of the pipe that renders the hours (day.h); empty: none
-    PlanOptions plan;                  // the pipe that renders points
-    std::string against;               // file of vcmetrics -against; empty: none
+    PlanOptions plan;                  // sum empty: there is none
     std::vector<std::string> sources;  // the program that lists glare sources (sources.h)
     std::vector<std::string> report;   // the one that writes reports
 };
 
 class Server {
 public:
-    Server(Live& live, const ServerOptions& options);  // throws base::Error (system)
+    // commands: to the programs.  Throws base::Error (system).
+    Server(Live& live, Outbox& commands, const ServerOptions& options);
     ~Server();
     std::string link() const;  // with the token
 

@@ -2,26 +2,25 @@
 // See sources.h.
 #include "live/sources.h"
 
-#include <stdlib.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <chrono>
-#include <filesystem>
 #include <fstream>
 #include <sstream>
 
 #include "base/error.h"
+#include "base/printable.h"
 #include "base/split.h"
 #include "image/stream.h"
 #include "live/child.h"
-#include "live/plan.h"
+#include "live/json.h"
+#include "live/temp_folder.h"
 
 namespace live {
 
 namespace {
 
-constexpr auto longest_wait = std::chrono::milliseconds(3000), step = std::chrono::milliseconds(50);  // of a report
+constexpr auto longest_wait = std::chrono::milliseconds(3000),
+               between_tries = std::chrono::milliseconds(50);  // of a report
 
 // vcmetrics' words without these options, which have a value each.
 std::vector<std::string> without(const std::vector<std::string>& command, const std::vector<std::string>& options) {
@@ -47,42 +46,45 @@ Asked::Found run_on(const Live::News& news, const std::vector<std::string>& comm
 
 // The line of a picture, below the names of its columns; empty: it has not come.
 std::string table_of(const std::vector<std::string>& lines, const image::Header& header) {
-    const std::string frame = std::to_string(header.frames.value_or(0)), edit = std::to_string(header.edit.value_or(0));
-    std::string names, found;
-    size_t frame_at = 0, edit_at = 0;
+    std::string head, found;
+    std::vector<std::string> names;
     for (const std::string& line : lines) {
-        const std::vector<std::string> cells = base::split_list(line, '\t');
-        const auto at = [&](const char* name) {
-            return size_t(std::find(cells.begin(), cells.end(), name) - cells.begin());
-        };
-        if (at("frame") < cells.size()) names = line, frame_at = at("frame"), edit_at = at("edit");
-        else if (frame_at < cells.size() && cells[frame_at] == frame &&
-                 (edit_at >= cells.size() || cells[edit_at] == edit))
-            found = names + "\n" + line + "\n";
+        const std::vector<std::string> before = names;
+        const std::optional<Row> row = read_row(names, line);
+        if (names != before) head = line;
+        if (row && row->frame() == header.frames.value_or(0) && row->edit() == header.edit.value_or(0))
+            found = head + "\n" + line + "\n";
     }
     return found;
 }
 
-class TempFolder {
-public:
-    TempFolder() {
-        std::string name = std::filesystem::temp_directory_path() / "vcview.XXXXXX";
-        errno = 0;
-        if (!mkdtemp(name.data())) base::fail_system(name, "cannot be made");
-        path_ = name;
-    }
-    ~TempFolder() {
-        std::error_code gone;
-        std::filesystem::remove_all(path_, gone);
-    }
-    TempFolder(const TempFolder&) = delete;
-    std::string write(const std::string& name, const std::string& text) const {
-        const std::string path = path_ / name;
-        image::write_bytes(path, text);
-        return path;
-    }
-    std::filesystem::path path_;
+std::string contents_of(const std::string& path) {
+    std::ostringstream text;
+    text << std::ifstream(path, std::ios::binary).rdbuf();
+    return text.str();
+}
+
+struct Drawing {
+    size_t number;
+    int status;            // of vcmetrics
+    std::string row, map;  // its line (jsonl) and the map (SVG)
+    bool is_old;           // of the model or the points before a change
 };
+
+// map: a file of this name.
+Drawing draw(Live& live, const PlanOptions& plan, double limit_lx, const std::string& map) {
+    const State before = live.state();
+    std::vector<std::string> command = plan.measure, names;
+    command.insert(command.end(), {"-metrics", "mean,min,median,U0,share" + json::number(limit_lx), "-format", "jsonl",
+                                   "-over", map, "-W-", plan.sum});
+    const Outcome done = run(command, "", -1);
+    if (done.status == 0) live.put(Drawn{before.plan.points});  // it knows the points of a sum by their hash
+    const std::string line = done.text.substr(0, done.text.find('\n'));
+    const std::optional<Row> row = read_row(names, line);
+    const State now = live.state();
+    const bool is_old = !row || row->edit() < now.pipe(Which::plan).edit || plan_waits(now);
+    return {before.plan.number, done.status, line, contents_of(map), is_old};
+}
 
 }  // namespace
 
@@ -115,27 +117,35 @@ Asked::Found find_sources(const Live& live, const std::vector<std::string>& comm
     return run_on(*news, command, -1);
 }
 
+Asked::Found find_plan(Live& live, const PlanOptions& plan) {
+    const double limit_lx = live.state().plan.limit_lx;
+    const Drawing d = draw(live, plan, limit_lx, plan.sum + ".svg");
+    return {
+        d.number, d.status,
+        "\"limit\":" + json::number(limit_lx) + ",\"numbers\":" + d.row + ",\"map\":" + base::quoted_json(d.map) + "}"};
+}
+
 // -plan, with the maps of the points as the model is now; nothing: there are none.
-static std::vector<std::string> plan_of_report(Live& live, Plan& plan, const TempFolder& folder) {
-    if (!plan.is_there()) return {};
-    const std::string map = folder.path_ / "plan.svg";
-    for (auto waited = step; waited < longest_wait; waited += step) {
-        const Plan::Drawing d = plan.draw(map);
+static std::vector<std::string> plan_of_report(Live& live, const PlanOptions& plan, const TempFolder& folder) {
+    if (plan.sum.empty()) return {};
+    const std::string map = folder.name("plan.svg");
+    for (auto waited = between_tries; waited < longest_wait; waited += between_tries) {
+        const Drawing d = draw(live, plan, live.state().plan.limit_lx, map);
         if (d.status == 0 && !d.is_old) return {"-plan", map, folder.write("plan", d.row + "\n")};
-        std::this_thread::sleep_for(step);
+        std::this_thread::sleep_for(between_tries);
     }
-    live.change([](Design& d) { d.tell("vcview: warning: report: has no plan, which is not of the last change yet"); });
+    live.put_said(Which::picture, "vcview: warning: report: has no plan, which is not of the last change yet");
     return {};
 }
 
-Asked::Found find_report(Live& live, const Files& files, std::vector<std::string> command, Plan& plan) {
+Asked::Found find_report(Live& live, std::vector<std::string> command, const PlanOptions& plan) {
     std::optional<Live::News> news;
     std::string table;
-    for (auto waited = step; waited < longest_wait && table.empty(); waited += step) {
+    for (auto waited = between_tries; waited < longest_wait && table.empty(); waited += between_tries) {
         news = live.since({}, true);
         if (!news || !news->shown) return {};
         if (news->shown->header.edited != "preview") table = table_of(news->lines, news->shown->header);
-        if (table.empty()) std::this_thread::sleep_for(step);
+        if (table.empty()) std::this_thread::sleep_for(between_tries);
     }
     try {
         const TempFolder folder;
@@ -144,15 +154,13 @@ Asked::Found find_report(Live& live, const Files& files, std::vector<std::string
         if (!table.empty()) command.insert(command.end(), {"-numbers", folder.write("numbers", table)});
         const std::vector<std::string> maps = plan_of_report(live, plan, folder);
         command.insert(command.end(), maps.begin(), maps.end());
-        const auto texts = live.ask([](const Design& d) { return d.texts; });
-        for (size_t n = 0; n < texts.size() && n < files.size(); ++n)
-            if (texts[n].now && files[n].kind == TextFile::Kind::scene)
-                command.insert(command.end(),
-                               {"-overlay", files[n].path, folder.write("text" + std::to_string(n), *texts[n].now)});
+        const State s = live.state();
+        for (size_t n = 0; n < s.files.size(); ++n)
+            if (s.now.texts[n] && s.files[n].kind == TextFile::Kind::scene)
+                command.insert(command.end(), {"-overlay", s.files[n].path,
+                                               folder.write("text" + std::to_string(n), *s.now.texts[n])});
         Asked::Found found = run_on(*news, command, 2);
-        std::ostringstream text;
-        text << std::ifstream(page, std::ios::binary).rdbuf();
-        found.text = text.str();
+        found.text = contents_of(page);
         if (found.status == 0 && found.text.empty()) found.status = int(base::Kind::system);
         return found;
     } catch (const base::Error&) {

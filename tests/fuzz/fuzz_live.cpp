@@ -42,15 +42,14 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     while (std::getline(words, word, '&')) given[word.substr(0, word.find('='))] = word.substr(word.find('=') + 1);
     const live::Arguments arguments = [&](const char* name) { return given.count(name) ? given[name] : ""; };
 
-    static live::Live page;
-    page.put_picture(picture());
-    page.put_line(host);
     write_alone("t.regions", "desk circle view 20\n");
-    const live::Files files = {{"t.regions", live::TextFile::Kind::regions, true},
-                               {"none.rad", live::TextFile::Kind::scene, false}};
+    static live::Live page(
+        {{"t.regions", live::TextFile::Kind::regions, true}, {"none.rad", live::TextFile::Kind::scene, false}});
+    page.put_picture(live::Which::picture, picture());
+    page.put_line(live::Which::picture, host);
     try_to([&] { live::answer_next(page, arguments); });
-    try_to([&] { live::answer_query(page, files, path, arguments); });
-    try_to([&] { live::answer_put(files, arguments, body, tag.empty() ? files[0].read().tag : tag); });
+    try_to([&] { live::answer_query(page.state(), path, arguments); });
+    try_to([&] { page.ask({path, arguments, body, tag.empty() ? page.state().files[0].tag : tag, tag.empty()}); });
     live::Framer framer([](image::Picture) {});
     for (size_t at = 0; at < body.size(); at += 7) framer.pass(body.data() + at, std::min<size_t>(7, body.size() - at));
     return 0;

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Two windows on one design, reloads, a broken scene, a lost network, an ended tracer: browser_design.py LINK PTRACE
-#   LINK: what vcview printed; PTRACE: the process that is killed at the end.
-import os, re, signal, sys
+# Two windows on one design, reloads, a broken scene, a lost network, a killed tracer: browser_design.py LINK VCVIEW
+#   LINK: what vcview printed; VCVIEW: the process whose ptrace is killed at the end.
+import os, re, signal, subprocess, sys, time
 from selenium.webdriver.common.keys import Keys
 from browser_page import Page, check, link_in, soon
 
@@ -67,10 +67,12 @@ windows.append(chrome.current_window_handle)
 chrome.get(page.link)
 check('a second window shows the same', soon(lambda: '40' in slats() and 'blind.rad: 20 → 40' in names(), SECONDS),
       (slats(), names()))
+check('Undo says what it takes back', soon(lambda: 'blind.rad: 20 → 40' in page.one('#undo').get_attribute('title')))
 page.click('#undo')
 check('which can undo it', soon(lambda: '20' in slats()), slats())
+check('and Redo what it makes again', soon(lambda: 'blind.rad: 20 → 40' in page.one('#redo').get_attribute('title')))
 window(0)
-check('the first one follows', soon(lambda: '20' in slats() and 'blind.rad: undone' in names(), SECONDS),
+check('the first one follows', soon(lambda: '20' in slats() and 'undone: blind.rad: 20 → 40' in names(), SECONDS),
       (slats(), names()))
 
 # a change of what is no more: this window hears nothing for a while
@@ -81,7 +83,7 @@ check('another window is faster',
       page.ask(f'/overlay?n=1&version={version}&said=faster', 'POST', body.encode())[0] == 200)
 lower('20')
 check('a stale change is refused, and shown',
-      soon(lambda: 'not taken: blind.rad: 20 → 40' in text('#model-say')), text('#model-say'))
+      soon(lambda: 'not taken: blind.rad: 20 → 40' in text('#messages')), text('#messages'))
 check('the page shows the other one', soon(lambda: '30' in slats()), slats())
 chrome.refresh()
 soon(lambda: '30' in slats(), SECONDS)
@@ -139,9 +141,38 @@ chrome.execute_cdp_cmd('Network.emulateNetworkConditions',
                        {'offline': False, 'latency': 0, 'downloadThroughput': -1, 'uploadThroughput': -1})
 check('and comes back by itself', soon(lambda: 'lost' not in text('#state'), SECONDS), text('#state'))
 
+# a variant is deleted, and comes back
+page.click('#variants tbody tr:nth-child(2) button', '×')
+check('a variant is deleted by a click', soon(lambda: [v[1] for v in variants()] == ['A']), variants())
+page.click('#undo')
+check('and comes back by another', soon(lambda: [v[1] for v in variants()] == ['A', 'low blind']), variants())
+page.click('#base-before')
+check('edits are compared with the one before again', soon(lambda: 'edit before' in text('#edits-say')))
+
+# letters on a row are nobody's
+page.focus('#table tbody tr')
+before = names()
+page.keys('#table tbody tr', 'w', 'k')
+time.sleep(1)
+check('a letter on a row walks nowhere and keeps nothing', names() == before and len(variants()) == 2, names())
+
+
 # the tracer is killed
-os.kill(int(sys.argv[2]), signal.SIGKILL)
+def kill():
+    newest = subprocess.run(['pgrep', '-o', '-P', sys.argv[2], '-x', 'ptrace'], capture_output=True).stdout
+    return newest and os.kill(int(newest), signal.SIGKILL) is None
+
+
+begun = len(names())
+kill()
+check('a program that dies is named and started again', soon(
+    lambda: 'ptrace was ended by signal 9' in page.one('#all-messages').get_attribute('textContent') and
+    text('#state') == 'running', SECONDS), text('#state'))
+check('with the design', soon(lambda: len(names()) > begun and '30' in slats(), SECONDS), names())
+soon(kill)
 check('the end of the programs is said', soon(lambda: 'have ended' in text('#state'), SECONDS), text('#state'))
+page.click('#again')
+check('a click starts them again', soon(lambda: text('#state') == 'running', SECONDS), text('#state'))
 check('what was typed is there', soon(lambda: '30' in slats()), slats())
 page.click('#model-save')
 check('and can be saved', soon(lambda: '-a 30 ' in open('blind.rad').read()))

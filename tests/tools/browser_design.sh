@@ -11,6 +11,6 @@ running=$!
 for ((k = 0; k < 600; k++)); do [ -s lines ] || sleep .1; done
 check 'a design outlives reloads, windows, errors and the tracer' '
     export PYTHONDONTWRITEBYTECODE=1
-    /usr/bin/python3 "$TOP/tests/tools/browser_design.py" link $(pgrep -P $running ptrace) >&2'
+    /usr/bin/python3 "$TOP/tests/tools/browser_design.py" link $running >&2'
 kill $running
 wait $running

@@ -8,7 +8,7 @@ scene='-vf view.vf -x 64 -y 64 materials.rad layout.rad sky_day.rad'
 
 begin() { luxpipe-live "$@" $scene > lines 2> said & live=$!; await '[ -s lines ] && [ $(wc -l < lines) -gt 4 ]'; }
 await() { for i in $(seq 1200); do eval "$1" && return; sleep .025; done; echo "in vain: $1"; cat said; return 1; }
-below() { for child in $(pgrep -P "$1"); do echo "$child $(cat /proc/$child/comm)"; below $child; done; }
+below() { for child in $(pgrep -P "$1"); do echo "$child $(cat /proc/$child/comm)"; below $child; done | sort -n; }
 ended() { await '! kill -0 $live 2> /dev/null'; status=0; wait $live || status=$?; [ -z "$(ls t)" ]; }
 ask() { python3 "$TOP/tests/tools/ask.py" "$@"; }  # METHOD PATH [body]
 
@@ -22,14 +22,20 @@ check 'a region that is drawn has a column and stays' '
     begin; ask GET "/file?n=0" > text; [ ! -s luxpipe.regions ]
     echo "desk circle 0 -1 -.5 20" > luxpipe.regions; await "grep -q desk.TAL lines"
     kill $live; ended; grep -q desk luxpipe.regions; rm luxpipe.regions'
-kill_program() { kill -9 $(below $live | awk -v name=$1 "\$2 == name { print \$1 }"); }
+kill_program() { kill -9 $({ echo "$live vcview"; below $live; } | awk -v name=$1 "\$2 == name { print \$1; exit }"); }
 check 'where vcview is killed all end, also while nothing is rendered' '
-    begin; echo "preview -vp 2 2 1" > t/*/control; sleep .5; kill_program vcview; ended'
+    begin; ask POST /control "preview -vp 2 2 1"; sleep .5; kill_program vcview; ended
+    rm -f luxpipe.regions'
 for program in ptrace ptaccum vcmetrics; do
-    check "where $program is killed the page stays, says so and saves, until it is ended itself" '
+    check "where $program is killed it is named and started again with the design; the second time the page stays" '
         begin; ask POST "/overlay?n=3&version=0" "$(sed s/14/9/ sky_day.rad)"; sleep .5; kill_program '$program'
+        await "grep -q \"'$program' was ended by signal 9: it is started again\" said"; n=$(cut -f 3 lines | tail -1)
+        await "[ \$(cut -f 3 lines | tail -1) -gt $n ]"; ask GET "/overlay?n=3" | grep -q " 9 "
+        await "! ask GET /next | grep -aq \"current.:[1-9]\""; kill_program '$program'
         await "ask GET /next | grep -aq .ended.:"; ask GET "/save?as=hdr" | grep -aq "^#?RADIANCE"
-        ask GET "/overlay?n=3" | grep -q " 9 "; kill $live; ended'
+        ask GET "/overlay?n=3" | grep -q " 9 "; n=$(wc -l < lines); ask POST /start
+        await "[ \$(wc -l < lines) -gt $((n + 2)) ]"; ! ask GET /next | grep -aq .ended.:
+        kill $live; ended; [ $status = 0 ]'
 done
 data() { grep -oE '<data value="[^"]*"' report | cut -d '"' -f 2; }
 check 'a report has the numbers of the line, of an edit that is not saved, too, and says how it is made again' '

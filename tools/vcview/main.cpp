@@ -12,13 +12,15 @@
 #include "base/error.h"
 #include "base/run.h"
 #include "base/shutdown.h"
-#include "live/browser.h"
 #include "live/child.h"
 #include "live/framer.h"
 #include "live/live.h"
 #include "live/messages.h"
+#include "live/outbox.h"
+#include "live/programs.h"
 #include "live/server.h"
 #include "options.h"
+#include "own.h"
 
 namespace {
 
@@ -26,21 +28,13 @@ constexpr size_t block_size = 1 << 18;
 
 // The child's output to ours, and line by line to the page.
 void pass_lines(int from, live::Live& page) {
-    std::vector<char> block(block_size);
-    std::string line;
     bool open = true;  // is our own output read?
-    for (ssize_t n; (n = base::read_some(from, block.data(), block.size())) > 0;) {
-        open = open && base::write_all(1, block.data(), size_t(n));
-        for (const char* c = block.data(); c != block.data() + n; ++c) {
-            if (*c != '\n') {
-                line += *c;
-                continue;
-            }
-            page.put_line(line);
-            line.clear();
-        }
-    }
-    if (!line.empty()) page.put_line(line);
+    live::read_lines(from, [&](const std::string& line) {
+        const std::string whole = line + "\n";
+        open = open && base::write_all(1, whole.data(), whole.size());
+        page.put_line(live::Which::picture, line);
+        return true;
+    });
 }
 
 // False: nothing more is to be passed on.
@@ -71,29 +65,29 @@ void pass_pictures(int to, live::Framer& framer, live::Live& page) {
         told = true;
         const std::string why = framer.stopped() + ": the page shows no more";
         base::warn("stdin", why);
-        page.change([&](live::Design& d) { d.tell("vcview: warning: stdin: " + why); });
+        page.put(live::Said{live::Which::picture, "vcview: warning: stdin: " + why});
     }
 }
 
-void wait_for_signal() {
-    int ends[2];
-    errno = 0;
-    if (pipe(ends) != 0) base::fail_system("pipe", "cannot be made");
-    base::wait_for_input(ends[0]);  // nobody writes
-}
-
-int work(const Options& options) {
-    base::finish_on_signal();
-    live::Live page;
+// A stream that others render.
+int show_stream(const Options& options) {
+    live::Live page(options.files);
+    live::Outbox commands;
+    page.begin([&](live::State& s) {
+        if (!options.server.control.empty()) s.pipe(live::Which::picture).stage = live::Pipe::Stage::asleep;
+        s.control = options.server.control;
+    });
+    page.set_against(options.against);
+    page.on_effect([&](const live::Effect& e) {
+        if (const auto* to = std::get_if<live::ToPipe>(&e)) commands.put(to->bytes);
+    });
     std::optional<live::Messages> messages;
     if (!options.messages.empty()) messages.emplace(options.messages, page);
     std::optional<live::Child> child;
     if (!options.command.empty()) child.emplace(options.command, messages ? messages->descriptor() : 2);
-    const live::Server server(page, options.server);
-    base::say("vcview: " + server.link());
-    std::optional<live::BrowserPage> browser;
-    if (options.open) browser.emplace(server.link());
-    live::Framer framer([&](image::Picture p) { page.put_picture(std::move(p)); });
+    const live::Server server(page, commands, options.server);
+    const Shown shown(server, options.open);
+    live::Framer framer([&](image::Picture p) { page.put_picture(live::Which::picture, std::move(p)); });
 
     int status = 0;
     if (!child) {
@@ -113,10 +107,10 @@ int work(const Options& options) {
     }
     close(0);  // a program that still writes to us may end
     page.put_end(status);
-    if (options.stay && page.picture() && !base::shutdown_requested()) {
+    if (options.stay && page.state().picture && !base::shutdown_requested()) {
         base::leave_stdout();
         base::say_on_terminal("vcview: the pipe has ended; ^C ends the page");
-        wait_for_signal();
+        Wake().wait();
     }
     return status;
 }
@@ -124,8 +118,13 @@ int work(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    return base::run("vcview", [&] {
-        const auto options = parse_options(argc, argv);
-        return options ? work(*options) : 0;
+    bool own = false;
+    const int status = base::run("vcview", [&] {
+        auto options = parse_options(argc, argv);
+        if (!options) return 0;
+        own = options->server.own;
+        base::finish_on_signal();
+        return own ? show_scene(std::move(*options)) : show_stream(*options);
     });
+    return own && base::shutdown_requested() ? 0 : status;  // ended as people end it
 }

@@ -15,10 +15,10 @@ namespace {
 // Shows the regions of -regions, which may be written, or else those that the program measures.
 void add_regions(const std::string& named, Options& o) {
     using live::TextFile;
-    if (!named.empty()) o.server.files.emplace_back(named, TextFile::Kind::regions, true);
+    if (!named.empty()) o.files.emplace_back(named, TextFile::Kind::regions, true);
     const auto at = std::find(o.command.begin(), o.command.end(), "-regions");
     if (!named.empty() || at == o.command.end() || at + 1 == o.command.end()) return;
-    if (!base::ends_with(at[1], ".exr")) o.server.files.emplace_back(at[1], TextFile::Kind::regions, false);
+    if (!base::ends_with(at[1], ".exr")) o.files.emplace_back(at[1], TextFile::Kind::regions, false);
 }
 
 }  // namespace
@@ -26,10 +26,14 @@ void add_regions(const std::string& named, Options& o) {
 std::optional<Options> parse_options(int argc, char** argv) {
     Options o;
     char** const end = argv + argc;
-    char** const dashes = std::find_if(argv, end, [](const char* word) { return std::strcmp(word, "--") == 0; });
-    if (dashes != end) o.command.assign(dashes + 1, end);
+    const auto is_dashes = [](const char* word) { return std::strcmp(word, "--") == 0; };
+    char** const dashes = std::find_if(argv, end, is_dashes);
+    char** const more = std::find_if(std::min(dashes + 1, end), end, is_dashes);
+    if (dashes != end) o.command.assign(dashes + 1, more);
+    if (more != end) o.scene.assign(more + 1, end);
+    o.server.own = more != end;
 
-    base::OptionTable t("vcview", LUXPIPE_VERSION, "[options] [-- program [argument ...]]");
+    base::OptionTable t("vcview", LUXPIPE_VERSION, "[options] [-- program [argument ...] [-- scene ...]]");
     t.group("Page");
     t.add("-port N", "Port of the page; 0: any that is free", o.server.port).within(0, 65535);
     t.add("-listen address", "Address that serves the page", o.server.listen);
@@ -39,8 +43,7 @@ std::optional<Options> parse_options(int argc, char** argv) {
           o.messages);
     t.group("Scene");
     t.add("-control file", "FIFO to which the page's commands go (ptrace -control)", o.server.control);
-    std::string regions;
-    t.add("-regions file", "Region file that the page shows and writes", regions);
+    t.add("-regions file", "Region file that the page shows and writes", o.regions);
     std::vector<std::string> edited;
     t.add("-edit file", "Scene file whose numbers the page changes, and saves on demand; may be repeated",
           [&](base::Arguments& a) { edited.push_back(a.text()); });
@@ -49,15 +52,9 @@ std::optional<Options> parse_options(int argc, char** argv) {
     t.add("-design file", "Text file that holds what the page has changed, and from which it is opened again",
           o.server.design);
     t.add("-against file", "File of vcmetrics -against, which the page writes: it chooses the variant to compare with",
-          o.server.against);
-    t.add("-day control lines", "FIFOs of a pipe that renders the hours of the day while the picture is good enough",
-          [&](base::Arguments& a) { o.server.day = a.text(), o.server.hours = a.text(); });
-    t.add("-plan control lines sum", "FIFOs of a pipe that renders points, and the file of their sum",
-          [&](base::Arguments& a) {
-              o.server.plan.control = a.text(), o.server.plan.lines = a.text(), o.server.plan.sum = a.text();
-          });
+          o.against);
     std::vector<std::string>& points = o.server.plan.points;
-    t.add("-points file", "The points of -plan; may be repeated",
+    t.add("-points file", "Points whose illuminance is shown as a plan, of a scene behind a second --; may be repeated",
           [&](base::Arguments& a) { points.push_back(a.text()); });
     std::vector<std::string> scene;
     t.add("-scene file", "Scene of the report, as in vcmetrics; may be repeated",
@@ -66,11 +63,14 @@ std::optional<Options> parse_options(int argc, char** argv) {
     if (!operands) return std::nullopt;
     if (!operands->empty())
         base::fail(operands->front(), "is no option; the program that reads the pictures comes after --");
-    add_regions(regions, o);
-    for (const std::string& file : edited) o.server.files.emplace_back(file, live::TextFile::Kind::scene, true);
+    if (dashes != end && o.command.empty()) base::fail("--", "names no program");
+    if (o.server.own && o.scene.empty()) base::fail("--", "the second one names no scene");
+    if (!points.empty() && !o.server.own) base::fail("-points", "needs a scene behind a second --");
+    if (o.server.own && !o.server.control.empty()) base::fail("-control", "is not for a scene behind a second --");
+    add_regions(o.regions, o);
+    for (const std::string& file : edited) o.files.emplace_back(file, live::TextFile::Kind::scene, true);
     o.server.sources = live::sources_command(o.command);
     o.server.plan.measure = live::plan_command(o.command, points);
     o.server.report = live::report_command(o.command, scene);
-    if (dashes != end && o.command.empty()) base::fail("--", "names no program");
     return o;
 }

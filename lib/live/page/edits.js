@@ -27,7 +27,9 @@ export class Edits {
 
   // edits: [number, "overlay words"] of what has been rendered, as vcview holds them.
   // earlier: words of those before the design was opened again.
-  take(edits, earlier, variants, base) {
+  // against: what edits are compared with where no variant is the base.
+  take(edits, earlier, variants, base, against) {
+    $('edits-say').textContent = `Differences from ${base || (against === 'first' ? 'the first edit' : 'the edit before')}`;
     this.what = new Map(edits);
     this.earlier = earlier;
     this.variants = new Map(variants.map((v) => [v.edit, v.name]));

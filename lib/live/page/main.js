@@ -2,7 +2,8 @@
 import { Camera } from '/camera.js';
 import { Day } from '/day.js';
 import { Edits } from '/edits.js';
-import { ask, command, Lost, tag_of, unpack } from '/net.js';
+import { show_messages } from '/messages.js';
+import { ask, command, Lost, post, tag_of, unpack } from '/net.js';
 import { PictureView } from '/picture.js';
 import { Plan } from '/plan.js';
 import { Lines, fill_table, plot } from '/plot.js';
@@ -15,7 +16,7 @@ import { Sliders } from '/sliders.js';
 import { Sources } from '/sources.js';
 import { Tones } from '/tones.js';
 import { Variants } from '/variants.js';
-import { glare_of, show_messages, show_verdict, verdict } from '/verdict.js';
+import { glare_of, show_verdict, verdict } from '/verdict.js';
 import { Eye } from '/view.js';
 
 const $ = (id) => document.getElementById(id);
@@ -70,12 +71,16 @@ setInterval(say_status, 5000);
 // State that vcview holds for all windows.
 async function take_state(state) {
   paused = state.paused;
-  edits.take(state.edits, state.earlier, state.variants, state.base);
+  edits.take(state.edits, state.earlier, state.variants, state.base, state.against);
   lines.keeps = new Set(state.variants.map((v) => v.edit));
   variants.take(state.variants, state.base, state.before);
   show_messages(state);
   camera.take(state.views, state.places);
-  [steps, $('undo').disabled] = [Math.max(steps, state.steps[0]), !state.steps[1]];
+  steps = Math.max(steps, state.steps[0]);
+  [['undo', 'Takes back', 'Ctrl-Z'], ['redo', 'Makes again', 'Ctrl-Shift-Z']].forEach(([id, does, key], k) => {
+    Object.assign($(id), { disabled: !state.steps[1 + k], title: `${does}: ${state.steps[3 + k] || 'nothing'} (${key})` });
+  });
+  $('again').hidden = !state.again;
   await sliders.take(state.texts);
   day.take(state.day);
   plan.take(state.plan);
@@ -145,14 +150,15 @@ async function listen() {
 
 // One after another: each is of the state that the one before has left.
 let undoing = Promise.resolve();
-const undo = () => {
+const take_back = (what) => {
   undoing = undoing.then(async () => {
-    const answer = await ask(`/undo?state=${steps}`, { method: 'POST' });
+    const answer = await ask(`/${what}?state=${steps}`, { method: 'POST' });
     if (answer.ok) steps = Number(tag_of(answer));
     sliders.say(answer.ok ? '' : (await answer.text()).trim());
   }).catch((e) => sliders.say(e.message));
 };
-$('undo').addEventListener('click', undo);
+for (const what of ['undo', 'redo']) $(what).addEventListener('click', () => take_back(what));
+$('again').addEventListener('click', () => post('/start').then((wrong) => camera.say(wrong)));
 $('fit').addEventListener('click', () => view.fit());
 $('canvas').addEventListener('pointerdown', () => document.querySelectorAll('.menu[open]').forEach((m) => { m.open = false; }));
 for (const menu of document.querySelectorAll('.menu')) {
@@ -172,9 +178,13 @@ const keys = {
   't': () => tones.next_of($('tone')), 'c': () => tones.next_of($('compare')), 'k': () => variants.keep(),
   '[': () => tones.brighter(-.25), ']': () => tones.brighter(.25),
 };
+// Whoever types, or has chosen a row or a number, means that.
+const takes_letters = 'input, select, textarea, table, pre, #day, #plan, [contenteditable]';
 document.addEventListener('keydown', (e) => {
-  if (e.key === 'z' && (e.ctrlKey || e.metaKey) && !e.target.matches('input:not([type=range])')) return e.preventDefault(), void undo();
-  if (e.target.matches('input, select, textarea') || e.ctrlKey || e.metaKey || e.altKey) return;
+  const z = e.key.toLowerCase() === 'z' && (e.ctrlKey || e.metaKey);
+  if (z && !e.target.matches('input:not([type=range])'))
+    return e.preventDefault(), void take_back(e.shiftKey ? 'redo' : 'undo');
+  if (e.target.closest(takes_letters) || e.ctrlKey || e.metaKey || e.altKey) return;
   const on_canvas = e.target === $('canvas');
   if ((on_canvas && regions.key(e)) || camera.key(e)) return void e.preventDefault();
   if (!keys[e.key] || (e.key.startsWith('Arrow') && !on_canvas)) return;

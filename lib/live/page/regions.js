@@ -2,6 +2,7 @@
 // change is saved to the region file at once.
 import { ask } from '/net.js';
 import { dot_at, inside, label, outline, top_of } from '/overlay.js';
+import { tell } from '/messages.js';
 import { add, free_name, regions_of, remove, replace, set_region } from '/region_file.js';
 import { fill, keep, row_of } from '/table.js';
 import { dragged, handles, parse_shape, shape_text, sketch } from '/shapes.js';
@@ -169,7 +170,9 @@ export class Regions {
     const said = await this.put(change);
     if (said === 'conflict') {
       await this.show();
-      return this.say(`${this.file.name} was changed by another program, which this change does not fit: it is as that program left it.`);
+      const text = `${this.file.name} was changed by another program, which this change does not fit: it is as that program left it.`;
+      tell(text);
+      return this.say(text);
     }
     if (said || !this.drawing) this.say(said);
     if (said) return this.read_as(this.file.text);

@@ -2,6 +2,7 @@
 // a text that stands for the file; vcview holds it for all windows, each of which says what version it has changed.  The
 // file itself is written only by Save.
 import { date_of, numbers_in, range_of, skies_in, with_number, with_sky } from '/model_text.js';
+import { tell } from '/messages.js';
 import { ask, command, tag_of, text_of } from '/net.js';
 import { fill, keep, one_stop } from '/table.js';
 import { TextFile } from '/text_file.js';
@@ -129,7 +130,8 @@ export class Sliders {
         }
         one.going = false;
         this.show();
-        return `${one.file.name} was changed in another window meanwhile and is shown as there; not taken: ${said}`;
+        tell(`${one.file.name} was changed in another window meanwhile and is shown as there; not taken: ${said}`);
+        return '';
       }
       if (!answer.ok) return (await answer.text()).trim();
       one.version = Number(tag_of(answer));

@@ -11,6 +11,7 @@ export class Variants {
   constructor(say, other, numbers) {
     Object.assign(this, { say, other, numbers, all: [], known: '' });
     $('keep').addEventListener('click', () => this.keep());
+    $('base-before').addEventListener('change', async () => this.say(await act('base')));
     $('with').addEventListener('change', () => { this.picked = $('with').value; this.fetch(); });
   }
 
@@ -19,6 +20,7 @@ export class Variants {
   // all: [{ name, edit, shown, numbers }]; base: a name; before: the edit before this one, whose picture has no name; -1: none.
   take(all, base, before) {
     [this.all, this.base] = [all, base];
+    $('base-before').checked = !base;
     this.others = [...(before < 0 ? [] : [{ name: '', edit: before }]), ...all];
     const picked = this.others.some((v) => v.name === this.picked) ? this.picked : base;
     keep($('with'), this.others, (v) => v.name, ({ name }) => new Option(name || 'the edit before', name));
@@ -67,7 +69,7 @@ export class Variants {
   show_numbers() {
     [...$('variants').tBodies[0].rows].forEach((row, k) => {
       const v = this.all[k];
-      row.cells[2].textContent = this.numbers(v.edit) || v.numbers[0] || '–';
+      row.cells[2].textContent = this.numbers(v.edit) || v.numbers.find((n) => n.startsWith('DGP')) || v.numbers[0] || '–';
     });
   }
 }

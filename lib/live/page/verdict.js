@@ -49,13 +49,3 @@ export function show_verdict(lines, state) {
   write($('state'), state_of({ ...state, settled }));
   $('state').className = state.lost || state.ended !== undefined ? 'bad' : '';
 }
-
-// Messages of the programs: those since the last change stand out, all can be read.
-export function show_messages({ messages, current }) {
-  const lines = (list) => list.map((text) => Object.assign(document.createElement('p'), { textContent: text }));
-  const news = [...new Set(messages.slice(messages.length - current))].slice(-3);
-  if ($('messages').innerText !== news.join('\n')) $('messages').replaceChildren(...lines(news));
-  $('messages').hidden = !news.length;
-  $('all-messages').replaceChildren(...lines(messages));
-  $('messages-panel').hidden = !messages.length;
-}
