@@ -142,11 +142,11 @@ std::pair<State, Effects> step(State s, const Event& event) {
     if (const auto* e = std::get_if<Measured>(&event.what)) take(s, *e);
     if (const auto* e = std::get_if<Said>(&event.what)) take(s, *e);
     if (const auto* e = std::get_if<FileIs>(&event.what)) take(s, out, *e);
-    if (std::holds_alternative<PointsChanged>(event.what)) {
-        ++s.plan.points, s.plan.number += s.plan.number > 0;
-        be_gone(s, Message::Cause::points);
+    if (std::holds_alternative<PointsChanged>(event.what)) ++s.plan.points, s.plan.number += s.plan.number > 0;
+    if (const auto* e = std::get_if<Drawn>(&event.what)) {
+        s.plan.drawn = e->points;
+        if (e->points == s.plan.points) be_gone(s, Message::Cause::points);
     }
-    if (const auto* e = std::get_if<Drawn>(&event.what)) s.plan.drawn = e->points;
     if (const auto* e = std::get_if<Saved>(&event.what)) {
         be_gone(s, Message::Cause::design);
         if (!e->trouble.empty()) say(s, Message::Cause::design, e->trouble);

@@ -143,7 +143,7 @@ bool carry_out(Session& s, Commands commands, const Sky& sky, size_t i) {
             const bool begins = take(s, std::move(next), sky, i);
             if (reads) s.failure.clear();
             if (!begins && s.failure.empty() && !s.run.opt.preview && (mended || !note.empty()))
-                say("same" + (note.empty() ? "" : " " + note));  // whoever asked waits for no picture
+                say("same " + std::to_string(s.run.edits) + " " + note);  // whoever asked waits for no picture
             s.control.set_preview(s.run.opt.preview);
             s.control.watch(*s.run.opt.files.read);
             if (begins && !told && !s.run.opt.preview && !s.failure.empty()) say(s.failure);

@@ -29,7 +29,8 @@ export class Edits {
   // earlier: words of those before the design was opened again.
   // against: what edits are compared with where no variant is the base.
   take(edits, earlier, variants, base, against) {
-    $('edits-say').textContent = `Differences from ${base || (against === 'first' ? 'the first edit' : 'the edit before')}`;
+    const other = base || (against === 'first' ? 'the first edit' : 'the edit before');
+    $('edits-say').textContent = `Differences from ${other}`;
     this.what = new Map(edits);
     this.earlier = earlier;
     this.variants = new Map(variants.map((v) => [v.edit, v.name]));

@@ -78,7 +78,8 @@ async function take_state(state) {
   camera.take(state.views, state.places);
   steps = Math.max(steps, state.steps[0]);
   [['undo', 'Takes back', 'Ctrl-Z'], ['redo', 'Makes again', 'Ctrl-Shift-Z']].forEach(([id, does, key], k) => {
-    Object.assign($(id), { disabled: !state.steps[1 + k], title: `${does}: ${state.steps[3 + k] || 'nothing'} (${key})` });
+    const [count, words] = [state.steps[1 + k], state.steps[3 + k] || 'nothing'];
+    Object.assign($(id), { disabled: !count, title: `${does}: ${words} (${key})` });
   });
   $('again').hidden = !state.again;
   await sliders.take(state.texts);

@@ -170,7 +170,8 @@ export class Regions {
     const said = await this.put(change);
     if (said === 'conflict') {
       await this.show();
-      const text = `${this.file.name} was changed by another program, which this change does not fit: it is as that program left it.`;
+      const text = `${this.file.name} was changed by another program, which this change does not fit: `
+        + 'it is as that program left it.';
       tell(text);
       return this.say(text);
     }

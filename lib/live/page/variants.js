@@ -69,7 +69,8 @@ export class Variants {
   show_numbers() {
     [...$('variants').tBodies[0].rows].forEach((row, k) => {
       const v = this.all[k];
-      row.cells[2].textContent = this.numbers(v.edit) || v.numbers.find((n) => n.startsWith('DGP')) || v.numbers[0] || '–';
+      const known = v.numbers.find((n) => n.startsWith('DGP')) ?? v.numbers[0];
+      row.cells[2].textContent = this.numbers(v.edit) || known || '–';
     });
   }
 }
