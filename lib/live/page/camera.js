@@ -1,5 +1,6 @@
-// The camera by pointer and keys: look around, orbit, walk.  The page computes the view and sends it over ptrace's FIFO: a
-// small picture (`preview`) while it moves, the newest one only when the last has come; the full one (`view`) at rest.
+// The camera by pointer and keys: look around, orbit, walk.  The page computes the view and sends it over ptrace's
+// FIFO: a small picture (`preview`) while it moves, the newest one only when the last has come; the full one (`view`)
+// at rest.
 import { command, post } from '/net.js';
 import { short } from '/picture.js';
 import { keep } from '/table.js';
@@ -23,8 +24,10 @@ export class Camera {
       this.say(await post(`/place?${new URLSearchParams({ do: 'keep', name: $('place-name').value })}`));
       $('place-name').value = '';
     });
-    for (const id of ['azimuth', 'elevation']) $(id).addEventListener('change', () => this.aim(Number($('azimuth').value), Number($('elevation').value)));
-    for (const [id, by] of [['left', -45], ['right', 45]]) $(id).addEventListener('click', () => this.aim(Number($('azimuth').value) + by, Number($('elevation').value)));
+    for (const id of ['azimuth', 'elevation'])
+      $(id).addEventListener('change', () => this.aim(Number($('azimuth').value), Number($('elevation').value)));
+    for (const [id, by] of [['left', -45], ['right', 45]])
+      $(id).addEventListener('click', () => this.aim(Number($('azimuth').value) + by, Number($('elevation').value)));
     $('drag').addEventListener('change', () => { $('canvas').style.cursor = this.mode === 'picture' ? '' : 'grab'; });
   }
 
@@ -45,7 +48,8 @@ export class Camera {
     keep($('places'), places, (place) => place.join(' '), ([name, view]) => {
       const item = document.createElement('li');
       item.append(button(name, () => go(view), `view ${name}`), ' ',
-        button('×', () => post(`/place?name=${encodeURIComponent(name)}`).then((wrong) => this.say(wrong)), `delete view ${name}`));
+        button('×', () => post(`/place?name=${encodeURIComponent(name)}`).then((wrong) => this.say(wrong)),
+          `delete view ${name}`));
       return item;
     });
     this.read_out();
@@ -55,8 +59,12 @@ export class Camera {
   read_out() {
     const now = this.now();
     if (!now) return;
-    const texts = [Math.atan2(now.vd[0], now.vd[1]) / degree, Math.asin(Math.max(-1, Math.min(1, now.vd[2]))) / degree].map((v) => v.toFixed(1));
-    ['azimuth', 'elevation'].forEach((id, k) => { if (document.activeElement !== $(id)) $(id).value = (k ? texts[1] : (Number(texts[0]) + 360) % 360); });
+    const texts =
+      [Math.atan2(now.vd[0], now.vd[1]) / degree, Math.asin(Math.max(-1, Math.min(1, now.vd[2]))) / degree].map(
+        (v) => v.toFixed(1));
+    ['azimuth', 'elevation'].forEach((id, k) => {
+      if (document.activeElement !== $(id)) $(id).value = (k ? texts[1] : (Number(texts[0]) + 360) % 360);
+    });
     $('eye-at').textContent = `from ${now.vp.map((v) => short(v)).join(', ')}`;
   }
 
@@ -99,7 +107,8 @@ export class Camera {
     if (!from) return false;
     const up = unit(from.vu), step = e.shiftKey ? .5 : .1;
     const ahead = unit(plus(from.vd, up, -dot(from.vd, up))), right = unit(cross(from.vd, up));
-    const walk = { w: [ahead, 1], s: [ahead, -1], d: [right, 1], a: [right, -1], e: [up, 1], q: [up, -1] }[e.key.toLowerCase()];
+    const all = { w: [ahead, 1], s: [ahead, -1], d: [right, 1], a: [right, -1], e: [up, 1], q: [up, -1] };
+    const walk = all[e.key.toLowerCase()];
     if (walk) {
       this.set({ ...from, vp: plus(from.vp, walk[0], walk[1] * step) });
       return true;

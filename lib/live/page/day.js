@@ -1,5 +1,5 @@
-// Glare over the hours of the date, as vcview has it rendered in idle time: a column an hour, with its class as colour and sign;
-// a dashed one where the interval holds two classes.  A click goes to that hour.
+// Glare over the hours of the date, as vcview has it rendered in idle time: a column an hour, with its class as colour
+// and sign; a dashed one where the interval holds two classes.  A click goes to that hour.
 import { keep, one_stop } from '/table.js';
 import { verdict } from '/verdict.js';
 
@@ -22,13 +22,15 @@ export class Day {
       return column;
     }, (column, [hour, value, low, high]) => {
       const { text, kind, number } = verdict('DGPf', { DGPf: value, 'DGPf.lo': low, 'DGPf.hi': high });
-      Object.assign(column, { title: `${hour}:00 ${text.slice(2)}, ${number}`, className: `${kind} ${text.includes(' to ') ? 'open' : ''}` });
+      column.title = `${hour}:00 ${text.slice(2)}, ${number}`;
+      column.className = `${kind} ${text.includes(' to ') ? 'open' : ''}`;
       column.style.setProperty('--high', Math.max(.05, Math.min(1, (value - .15) / .4)));
       column.setAttribute('aria-label', column.title);
       column.setAttribute('aria-current', String(now === hour));
       column.firstChild.data = text[0];
     });
     one_stop($('day'), $('day').children);
-    $('day-say').textContent = !day ? '' : day.hours.length ? `DGPf by the hour${day.ended ? '' : ' …'}` : 'the hours of the day come when the picture has 32 frames';
+    const none = 'the hours of the day come when the picture has 32 frames';
+    $('day-say').textContent = !day ? '' : day.hours.length ? `DGPf by the hour${day.ended ? '' : ' …'}` : none;
   }
 }

@@ -5,8 +5,9 @@ const number = /(?<![\w.:+-])[-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?(?![\w.:])/gi
 // Comments, commands with the lines that continue them, and words.
 const token = /#[^\n]*|![^\n]*(?<=\\)(?:\n[^\n]*(?<=\\))*\n[^\n]*|![^\n]*|\S+/g;
 
-// The primitives and commands of a text: { start, end, line, command, type, name, arguments: places of words, reals: those of
-// real arguments }.  Arguments stand behind their counts (modifier type name n words n words n words; an alias has none).
+// The primitives and commands of a text: { start, end, line, command, type, name, arguments: places of words, reals:
+// those of real arguments }.  Arguments stand behind their counts (modifier type name n words n words n words; an alias
+// has none).
 export function things_in(text) {
   const all = [];
   let thing, left = 0, lists = 0, line = 1, counted = 0;  // arguments that come; lists that come behind them
@@ -45,10 +46,14 @@ export function things_in(text) {
 // [{ start, end, value, whole }] of a scene file; comments and counts of arguments are left out.  whole: a number of
 // repetitions (xform -a).
 export const numbers_in = (text) => things_in(text).flatMap((thing) => numbers_of(text, thing));
-export const numbers_of = (text, thing) => thing.arguments.flatMap(([from, to]) => [...text.slice(from, to).matchAll(number)]
-  .map((m) => ({ start: from + m.index, end: from + m.index + m[0].length, value: Number(m[0]),
+export const numbers_of = (text, thing) =>
+  thing.arguments.flatMap(([from, to]) => [...text.slice(from, to).matchAll(number)].map((m) => ({
+    start: from + m.index,
+    end: from + m.index + m[0].length,
+    value: Number(m[0]),
     option: /(?:\s(-[a-z]+)(?:\s+[-+.\de]+)*?\s+)?$/i.exec(text.slice(from, from + m.index))[1],
-    whole: /xform\b[^|]*\s-[ai]\s+$/.test(text.slice(from, from + m.index)) })));
+    whole: /xform\b[^|]*\s-[ai]\s+$/.test(text.slice(from, from + m.index))
+  })));
 
 const sky = /^!.*\b(gensky|gendaylit)[ \t]+(\d+)[ \t]+(\d+)[ \t]+(\+?)(\d+(?:\.\d*)?|\.\d+|\d+:\d+)/gm;
 const months = [31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31];
@@ -80,13 +85,16 @@ const digits = (value) => String(Number(value.toPrecision(6)));
 export const with_number = (text, { start, end }, value) => text.slice(0, start) + digits(value) + text.slice(end);
 const reals_of = (text, thing) => thing.reals.map(([from, to]) => Number(text.slice(from, to)));
 function with_reals(text, thing, values) {
-  for (let k = values.length - 1; k >= 0; k--) text = with_number(text, { start: thing.reals[k][0], end: thing.reals[k][1] }, values[k]);
+  for (let k = values.length - 1; k >= 0; k--)
+    text = with_number(text, { start: thing.reals[k][0], end: thing.reals[k][1] }, values[k]);
   return text;
 }
 
 // What the first three numbers of a material mean; null: no colour.
-export const colour_of = ({ type }) => /^(plastic|metal|trans|mirror)$/.test(type) ? 'reflectance' : type === 'glass' ? 'transmissivity'
-  : /^(light|glow|spotlight|illum)$/.test(type) ? 'radiance' : null;
+export const colour_of = ({ type }) =>
+  /^(plastic|metal|trans|mirror)$/.test(type) ? 'reflectance' :
+  type === 'glass' ? 'transmissivity' :
+  /^(light|glow|spotlight|illum)$/.test(type) ? 'radiance' : null;
 const grey = ([r, g, b]) => .265 * r + .67 * g + .065 * b;
 
 // { value, most } of its colour as one grey; what is reflected or passes is at most all.
@@ -104,14 +112,17 @@ export function with_grey(text, thing, value) {
 // The text with a primitive or a command's surfaces moved along an axis.
 export function with_move(text, thing, axis, by) {
   if (!thing.command) {
-    const points = { polygon: Infinity, sphere: 3, bubble: 3, ring: 3, cylinder: 6, tube: 6, cone: 6, cup: 6 }[thing.type] ?? 0;
-    return with_reals(text, thing, reals_of(text, thing).map((v, k) => k < points && k % 3 === axis ? Number((v + by).toFixed(6)) : v));
+    const points =
+      { polygon: Infinity, sphere: 3, bubble: 3, ring: 3, cylinder: 6, tube: 6, cone: 6, cup: 6 }[thing.type] ?? 0;
+    return with_reals(
+      text, thing, reals_of(text, thing).map((v, k) => k < points && k % 3 === axis ? Number((v + by).toFixed(6)) : v));
   }
   const line = text.slice(thing.start, thing.end), moved = / \| xform -t (\S+) (\S+) (\S+)$/.exec(line);
   const place = moved ? moved.slice(1).map(Number) : [0, 0, 0];
   place[axis] += by;
   const head = moved ? line.slice(0, moved.index) : line, back = place.every((v) => Math.abs(v) < 1e-6);
-  return text.slice(0, thing.start) + head + (back ? '' : ` | xform -t ${place.map(digits).join(' ')}`) + text.slice(thing.end);
+  return text.slice(0, thing.start) + head + (back ? '' : ` | xform -t ${place.map(digits).join(' ')}`) +
+    text.slice(thing.end);
 }
 
 // A roller shade before the upper half of a window: [text, name].  corners: four points; eye: a point on its side.
@@ -124,9 +135,14 @@ export function with_shade(text, corners, eye) {
   const off = (dot(normal, less(eye, corners[0])) < 0 ? -.02 : .02) * Math.hypot(...b) / Math.hypot(...normal);
   const heights = corners.map((c) => c[2]), middle = (Math.min(...heights) + Math.max(...heights)) / 2;
   const upright = Math.max(...heights) - Math.min(...heights) > .1 * Math.hypot(...b);
-  const points = corners.map((c) => [c[0], c[1], upright ? Math.max(c[2], middle) : c[2]].map((v, k) => digits(v + off * normal[k])).join(' '));
+  const points = corners.map(
+    (c) => [c[0], c[1], upright ? Math.max(c[2], middle) : c[2]].map((v, k) => digits(v + off * normal[k])).join(' '));
   const name = `roller_shade_${n}`;
-  return [`${text.replace(/\n?$/, '\n')}\nvoid trans ${name}_fabric\n0\n0\n7 .6 .6 .6 0 0 .2 0\n\n${name}_fabric polygon ${name}\n0\n0\n12 ${points.join('  ')}\n`, name];
+  return [
+    `${text.replace(/\n?$/, '\n')}\nvoid trans ${name}_fabric\n0\n0\n7 .6 .6 .6 0 0 .2 0\n\n${name}_fabric polygon ${
+      name}\n0\n0\n12 ${ points.join('  ') }\n`,
+    name
+  ];
 }
 
 // [least, largest] of a slider that begins at a value.

@@ -20,8 +20,12 @@ export const tag_of = (answer) => answer.headers.get('ETag').replaceAll('"', '')
 
 // Facts of a picture and its floats, as /next and /variant have them.
 export async function unpack(answer) {
-  const body = await answer.arrayBuffer().catch(() => { throw new Lost(); }), length = new DataView(body).getUint32(0, true);
-  return { ...JSON.parse(new TextDecoder().decode(new Uint8Array(body, 4, length))), rgb: new Float32Array(body.slice(4 + length)) };
+  const body = await answer.arrayBuffer().catch(() => { throw new Lost(); }),
+        length = new DataView(body).getUint32(0, true);
+  return {
+    ...JSON.parse(new TextDecoder().decode(new Uint8Array(body, 4, length))),
+    rgb: new Float32Array(body.slice(4 + length))
+  };
 }
 
 // A question that changes something.  '' when that is done, else why not.

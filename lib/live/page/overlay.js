@@ -54,7 +54,8 @@ export function brightest(rings, width, height, brightness) {
     const xs = [];  // where the outline crosses the middle of this row
     for (const r of rings)
       for (let k = 0, j = r.length - 2; k < r.length; j = k, k += 2)
-        if (r[k + 1] > y + .5 !== r[j + 1] > y + .5) xs.push(r[k] + (r[j] - r[k]) * (y + .5 - r[k + 1]) / (r[j + 1] - r[k + 1]));
+        if (r[k + 1] > y + .5 !== r[j + 1] > y + .5)
+          xs.push(r[k] + (r[j] - r[k]) * (y + .5 - r[k + 1]) / (r[j + 1] - r[k + 1]));
     xs.sort((a, b) => a - b);
     for (let k = 0; k + 1 < xs.length; k += 2)
       for (let x = Math.max(0, Math.ceil(xs[k] - .5)); x + .5 <= xs[k + 1] && x < width; x++) {

@@ -73,7 +73,8 @@ export function contours(rgb, width, height, table, exposure, srgb) {
   for (let i = 0; i < band.length; i++) band[i] = find(luminance(rgb, 3 * i));
   for (let y = 0; y < height; y++)
     for (let x = 0; x < width; x++) {
-      const i = y * width + x, right = x + 1 < width ? band[i + 1] : band[i], below = y + 1 < height ? band[i + width] : band[i];
+      const i = y * width + x, right = x + 1 < width ? band[i + 1] : band[i],
+            below = y + 1 < height ? band[i + width] : band[i];
       const highest = Math.max(band[i], right, below);
       if (highest !== Math.min(band[i], right, below))
         for (let c = 0; c < 3; c++) out[4 * i + c] = table.colours[3 * highest + c];
@@ -130,14 +131,17 @@ export class PictureView {
       to.fillRect(left, 0, 1, height);
     }
     this.values = values;
-    for (const id of ['canvas', 'legend']) document.getElementById(id).style.setProperty('--ratio', (beside ? 2 * width : width) / height);
+    for (const id of ['canvas', 'legend'])
+      document.getElementById(id).style.setProperty('--ratio', (beside ? 2 * width : width) / height);
     this.draw();
   }
 
   // Pictures side by side, each with half of the width: [image, its left end as a share of the width].
   get panes() { return this.beside ? [[this.beside, 0], [this.image, .5]] : [[this.image, 0]]; }
   scale() {
-    return this.zoom || Math.min(this.canvas.clientWidth / this.panes.length / this.image.width, this.canvas.clientHeight / this.image.height);
+    return this.zoom ||
+      Math.min(
+        this.canvas.clientWidth / this.panes.length / this.image.width, this.canvas.clientHeight / this.image.height);
   }
   // From the middle of the pane under a place of the page.
   from_middle(clientX, clientY) {
@@ -201,7 +205,8 @@ export class PictureView {
 
   // The whole picture with what is drawn over it, at least 1024 pixels wide.
   sheet() {
-    const by = Math.max(1, Math.ceil(1024 / this.image.width)), sheet = document.createElement('canvas'), c = sheet.getContext('2d');
+    const by = Math.max(1, Math.ceil(1024 / this.image.width)), sheet = document.createElement('canvas'),
+          c = sheet.getContext('2d');
     sheet.width = by * this.image.width;
     sheet.height = by * this.image.height;
     c.imageSmoothingEnabled = false;
@@ -227,7 +232,8 @@ export class PictureView {
 }
 
 export function short(v, digits = 4) {
-  return Number.isFinite(v) ? v.toLocaleString('en', { maximumSignificantDigits: digits, useGrouping: false }) : String(v);
+  if (!Number.isFinite(v)) return String(v);
+  return v.toLocaleString('en', { maximumSignificantDigits: digits, useGrouping: false });
 }
 
 // Numbers with the decimals that an interval's width leaves: two digits of it.

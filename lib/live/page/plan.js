@@ -27,7 +27,9 @@ class Points {
       for (let i = 0; i < n.length; i += 5) {
         const [x, y, w, h] = n.slice(i, i + 4);
         for (let row = y; row < y + h; row++) this.of.fill(k, row * this.width + x, row * this.width + x + w);
-        ends.forEach((end, side) => { ends[side] = side < 2 ? Math.min(end, n[i + side]) : Math.max(end, n[i + side - 2] + n[i + side]); });
+        ends.forEach((end, side) => {
+          ends[side] = side < 2 ? Math.min(end, n[i + side]) : Math.max(end, n[i + side - 2] + n[i + side]);
+        });
       }
       return { words, grid: words.replace(/: [^:]*$/, ''), x: (ends[0] + ends[2]) / 2, y: (ends[1] + ends[3]) / 2 };
     });
@@ -35,11 +37,12 @@ class Points {
 
   at(x, y) { return this.of[Math.floor(y) * this.width + Math.floor(x >= this.width / 2 ? x - this.again : x)] ?? -1; }
 
-  // The nearest one that way, rather ahead than aside; the same where there is none.  Beside it lies its own grid, above
-  // and below the others, too.
+  // The nearest one that way, rather ahead than aside; the same where there is none.  Beside it lies its own grid,
+  // above and below the others, too.
   beside(k, dx, dy) {
     const from = this.all[k], far = (p) => {
-      const [ahead, aside] = [dx * (p.x - from.x) + dy * (p.y - from.y), Math.abs(dy * (p.x - from.x) - dx * (p.y - from.y))];
+      const [ahead, aside] =
+        [dx * (p.x - from.x) + dy * (p.y - from.y), Math.abs(dy * (p.x - from.x) - dx * (p.y - from.y))];
       return ahead > .5 && (dy || p.grid === from.grid) ? ahead + 3 * aside : Infinity;
     };
     return this.all.reduce((best, p, i) => (far(p) < (best === k ? Infinity : far(this.all[best])) ? i : best), k);
@@ -129,7 +132,8 @@ export class Plan {
     const names = Object.keys(drawn.numbers).filter((name) => /\./.test(name) && !/\.(lo|hi)$/.test(name));
     const grids = [...new Set(names.map((name) => name.slice(0, name.lastIndexOf('.'))))];
     const columns = ['mean', 'min', 'median', 'U0', `share${drawn.limit}`];
-    ['grid', ...columns.slice(0, 4), `≥ ${drawn.limit} lx`].forEach((text, k) => { $('plan-numbers').tHead.rows[0].cells[k].textContent = text; });
+    ['grid', ...columns.slice(0, 4), `≥ ${drawn.limit} lx`].forEach(
+      (text, k) => { $('plan-numbers').tHead.rows[0].cells[k].textContent = text; });
     keep($('plan-numbers').tBodies[0], grids, (grid) => grid, () => row_of(6), (row, grid) => {
       row.cells[0].textContent = grid;
       columns.forEach((column, k) => {

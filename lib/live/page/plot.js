@@ -4,12 +4,13 @@ import { keep, one_stop, row_of } from '/table.js';
 
 const classes = { DGP: [.35, .40, .45], DGPu: [.35, .40, .45], DGPf: [.35, .40, .45], UGR: [13, 16, 19, 22, 25, 28] };
 // Effect of pixels on a metric: evalglare's (DGP, DGPu) lack it, DGPf has it.
-const of_pixels = (name, row) => name.endsWith('f') ? -row[`${name.slice(0, -1)}.px`] : row[`${name.replace(/u$/, '')}.px`];
+const of_pixels = (name, row) =>
+  name.endsWith('f') ? -row[`${name.slice(0, -1)}.px`] : row[`${name.replace(/u$/, '')}.px`];
 const beside = /\.(lo|hi|d)$/, most_runs = 12;
 const no_metric = new Set(['frame', 'seconds', 'tails', 'errors', 'view', 'sky', 'edit', 'settled']);
 
-// Lines become rows of numbers by name, in runs: a run is what one edit of the scene has brought.  A line of names begins
-// a new table, a smaller number of frames or another edit a new run.
+// Lines become rows of numbers by name, in runs: a run is what one edit of the scene has brought.  A line of names
+// begins a new table, a smaller number of frames or another edit a new run.
 export class Lines {
   // keeps: numbers of edits whose lines stay.
   constructor() { this.keeps = new Set(); this.text = []; this.runs = []; this.columns = []; this.seen = new Set(); }
@@ -22,7 +23,8 @@ export class Lines {
       try { return this.take(Object.entries(JSON.parse(line))); } catch { return; }
     }
     const cells = line.split(line.includes('\t') ? '\t' : ',');
-    if (cells.some((c) => /^[A-Za-z_]/.test(c) && !/^(nan|inf)$/i.test(c)) && (cells.includes('frame') || !this.columns.length)) {
+    if (cells.some((c) => /^[A-Za-z_]/.test(c) && !/^(nan|inf)$/i.test(c)) &&
+      (cells.includes('frame') || !this.columns.length)) {
       this.columns = cells;
       return;
     }
@@ -31,7 +33,8 @@ export class Lines {
 
   take(entries) {
     const row = {};
-    for (const [name, value] of entries) row[name] = value === null || value === '-' || value === '' ? NaN : Number(value);
+    for (const [name, value] of entries)
+      row[name] = value === null || value === '-' || value === '' ? NaN : Number(value);
     if (!this.columns.length) this.columns = Object.keys(row);
     for (const name in row) if (Number.isFinite(row[name])) this.seen.add(name);
     const run = this.runs[this.runs.length - 1], last = run?.rows[run.rows.length - 1];
@@ -64,16 +67,19 @@ function steps(low, high) {
   return all;
 }
 
-const points_of = (name, rows) => rows
-  .map((r) => ({ x: Math.max(r.frame, .5), y: r[name], lo: r[`${name}.lo`], hi: r[`${name}.hi`], px: r[name] + of_pixels(name, r),
-    settled: r.settled }))
-  .filter((p) => Number.isFinite(p.x) && Number.isFinite(p.y));
+const points_of = (name, rows) => {
+  const point = (r) => ({ x: Math.max(r.frame, .5), y: r[name], lo: r[`${name}.lo`], hi: r[`${name}.hi`],
+    px: r[name] + of_pixels(name, r), settled: r.settled });
+  return rows.map(point).filter((p) => Number.isFinite(p.x) && Number.isFinite(p.y));
+};
 
 // runs: those of Lines; the newest one with its interval, the others as ghosts.
 export function plot(name, runs) {
   const width = 420, height = 120, left = 58, right = 8, top = 8, bottom = 20;
-  const svg = element('svg', { viewBox: `0 0 ${width} ${height}`, role: 'img', 'aria-label': `${name} by number of frames` });
-  const points = points_of(name, runs[runs.length - 1]?.rows ?? []), ghosts = runs.slice(0, -1).map((r) => points_of(name, r.rows));
+  const svg =
+    element('svg', { viewBox: `0 0 ${width} ${height}`, role: 'img', 'aria-label': `${name} by number of frames` });
+  const points = points_of(name, runs[runs.length - 1]?.rows ?? []),
+        ghosts = runs.slice(0, -1).map((r) => points_of(name, r.rows));
   if (!points.length) return svg;
 
   const ys = points.flatMap((p) => [p.y, p.lo, p.hi, p.px]).filter(Number.isFinite).sort((a, b) => a - b);
@@ -86,7 +92,8 @@ export function plot(name, runs) {
   low -= pad;
   high += pad;
   const all = [points, ...ghosts].flat();
-  const first = all.reduce((m, p) => Math.min(m, p.x), Infinity), last = all.reduce((m, p) => Math.max(m, p.x), first * 2);
+  const first = all.reduce((m, p) => Math.min(m, p.x), Infinity),
+        last = all.reduce((m, p) => Math.max(m, p.x), first * 2);
   const x = (v) => left + (width - left - right) * Math.log(v / first) / Math.log(last / first);
   const y = (v) => height - bottom - (height - top - bottom) * (v - low) / (high - low);
   const line = (list, name) => list.map((p) => `${x(p.x).toFixed(1)},${y(p[name]).toFixed(1)}`).join('L');
@@ -96,16 +103,20 @@ export function plot(name, runs) {
   const area = element('svg', { x: left, y: top, width: w, height: h, viewBox: `${left} ${top} ${w} ${h}` });
   for (const [kind, from, to] of [['pixels', 'y', 'px'], ['interval', 'lo', 'hi']]) {
     const band = points.filter((p) => Number.isFinite(p[from]) && Number.isFinite(p[to]));
-    if (band.length > 1) area.append(element('path', { class: kind, d: `M${line(band, to)}L${line(band.reverse(), from)}Z` }));
+    if (band.length > 1)
+      area.append(element('path', { class: kind, d: `M${line(band, to)}L${line(band.reverse(), from)}Z` }));
   }
   for (const limit of classes[name] ?? (name.endsWith('.CR') ? [.25] : []))  // the paper's 25 %
-    if (limit > low && limit < high) area.append(element('line', { class: 'class', x1: left, x2: width - right, y1: y(limit), y2: y(limit) }));
-  for (const ghost of ghosts) if (ghost.length) area.append(element('path', { class: 'ghost', d: 'M' + line(ghost, 'y') }));
+    if (limit > low && limit < high)
+      area.append(element('line', { class: 'class', x1: left, x2: width - right, y1: y(limit), y2: y(limit) }));
+  for (const ghost of ghosts)
+    if (ghost.length) area.append(element('path', { class: 'ghost', d: 'M' + line(ghost, 'y') }));
   const stop = points.find((p) => p.settled > 0);
   if (stop) area.append(element('line', { class: 'stop', x1: x(stop.x), x2: x(stop.x), y1: top, y2: height - bottom }));
   area.append(element('path', { class: 'curve', d: 'M' + line(points, 'y') }));
   svg.append(area, element('path', { class: 'axis', d: `M${left},${top}V${height - bottom}H${width - right}` }));
-  for (const v of steps(low, high)) svg.append(element('text', { x: left - 4, y: y(v) + 4, 'text-anchor': 'end' }, String(Number(v.toPrecision(5)))));
+  for (const v of steps(low, high))
+    svg.append(element('text', { x: left - 4, y: y(v) + 4, 'text-anchor': 'end' }, String(Number(v.toPrecision(5)))));
   for (let v = 1; v <= last; v *= 10)
     if (v >= first) svg.append(element('text', { x: x(v), y: height - 6, 'text-anchor': 'middle' }, String(v)));
   return svg;
@@ -118,7 +129,12 @@ export function fill_table(body, lines, chosen, on_choice) {
   keep(body, lines.metrics(), (name) => name, (name) => {
     const row = row_of(4);
     row.addEventListener('click', () => on_choice(name));
-    row.addEventListener('keydown', (e) => { if (e.key === 'Enter' || e.key === ' ') { e.preventDefault(); on_choice(name); } });
+    row.addEventListener('keydown', (e) => {
+      if (e.key === 'Enter' || e.key === ' ') {
+        e.preventDefault();
+        on_choice(name);
+      }
+    });
     return row;
   }, (row, name) => {
     const ends = [last[`${name}.lo`], last[`${name}.hi`]];

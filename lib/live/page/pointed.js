@@ -1,13 +1,19 @@
-// What the picture shows at a place, as ptrace names it: surfaces from the eye on, with material, file and line.  A click
-// offers what can be changed there: the material's colour as one grey, what a line repeats and turns, where it stands, a shade.
+// What the picture shows at a place, as ptrace names it: surfaces from the eye on, with material, file and line.  A
+// click offers what can be changed there: the material's colour as one grey, what a line repeats and turns, where it
+// stands, a shade.
 import { ask } from '/net.js';
 import { short } from '/picture.js';
-import { colour_of, grey_of, numbers_of, things_in, with_grey, with_move, with_number, with_shade } from '/model_text.js';
+import { colour_of, grey_of, numbers_of, things_in } from '/model_text.js';
+import { with_grey, with_move, with_number, with_shade } from '/model_text.js';
 
 const $ = (id) => document.getElementById(id);
 const fields = ['name', 'type', 'place', 'material', 'kind', 'defined', 'point', 'reals'];
 const two = (v) => String(Number(v.toFixed(2))).replace(/^(-?)0\./, '$1.');
-const make = (tag, facts, ...inside) => { const e = Object.assign(document.createElement(tag), facts); e.append(...inside); return e; };
+const make = (tag, facts, ...inside) => {
+  const e = Object.assign(document.createElement(tag), facts);
+  e.append(...inside);
+  return e;
+};
 
 export class Pointed {
   // picture(): { edit, width, height, eye } or null.
@@ -22,11 +28,13 @@ export class Pointed {
     if (p.edit !== this.edit) [this.edit, this.known] = [p.edit, new Map()];
     const key = `${x} ${y}`, known = this.known;
     if (!known.has(key)) {
-      const question = new URLSearchParams({ x: ((x + .5) / p.width).toFixed(5), y: (1 - (y + .5) / p.height).toFixed(5) });
+      const question =
+        new URLSearchParams({ x: ((x + .5) / p.width).toFixed(5), y: (1 - (y + .5) / p.height).toFixed(5) });
       known.set(key, ask(`/what?${question}`).then(async (answer) => {
         if (answer.status !== 200) return known.delete(key), null;
         const words = (await answer.text()).split('\t'), all = [];
-        while (words.length >= fields.length) all.push(Object.fromEntries(words.splice(0, fields.length).map((word, k) => [fields[k], word])));
+        while (words.length >= fields.length)
+          all.push(Object.fromEntries(words.splice(0, fields.length).map((word, k) => [fields[k], word])));
         return all;
       }, () => null));
     }
@@ -38,7 +46,8 @@ export class Pointed {
     const all = await this.at(x, y) ?? [], end = all[all.length - 1];
     if (!end) return '';
     if (last) return end.name;
-    return `${end.name} (${end.material}, ${end.place})${all.length > 1 ? ` behind ${all.slice(0, -1).map((s) => s.name).join(', ')}` : ''}`;
+    return `${end.name} (${end.material}, ${end.place})${
+      all.length > 1 ? ` behind ${all.slice(0, -1).map((s) => s.name).join(', ')}` : ''}`;
   }
 
   // ---- what can be changed there
@@ -48,7 +57,8 @@ export class Pointed {
     $('here-panel').open = true;
     $('here').replaceChildren('…');
     const all = await this.at(x, y);
-    $('here').replaceChildren(...all?.length ? all.flatMap((surface) => this.describe(surface)) : ['nothing is known of this place']);
+    $('here').replaceChildren(
+      ...all?.length ? all.flatMap((surface) => this.describe(surface)) : ['nothing is known of this place']);
     $('here-panel').scrollIntoView({ block: 'nearest' });
   }
 
@@ -60,18 +70,23 @@ export class Pointed {
   }
 
   describe(surface) {
-    const { name, type, place, material, kind, defined } = surface, stands = this.find(place), made = this.find(defined);
-    const parts = [make('p', {}, make('strong', {}, name), ` ${type}, ${place}; ${material} ${kind}${defined ? `, ${defined}` : ''}`)];
+    const { name, type, place, material, kind, defined } = surface;
+    const stands = this.find(place), made = this.find(defined);
+    const of_it = ` ${type}, ${place}; ${material} ${kind}${defined ? `, ${defined}` : ''}`;
+    const parts = [make('p', {}, make('strong', {}, name), of_it)];
     if (made && colour_of(made.thing)) parts.push(this.grey(material, defined));
     if (stands) parts.push(...this.place(name, place));
-    const corners = type === 'polygon' && /^(glass|trans|dielectric|interface|BSDF|aBSDF)$/.test(kind) ? surface.reals.split(' ').map(Number) : [], file = this.shade_file(stands);
+    const is_pane = type === 'polygon' && /^(glass|trans|dielectric|interface|BSDF|aBSDF)$/.test(kind);
+    const corners = is_pane ? surface.reals.split(' ').map(Number) : [], file = this.shade_file(stands);
     if (corners.length === 12 && file) parts.push(this.shade(name, corners, file));
     return parts;
   }
 
   slider(place, title, least, most, value, words, change) {
     let now = value;
-    const step = most === Math.round(most) && Number.isInteger(value) && least === 1 ? 1 : Number(((most - least) / 200).toPrecision(2));
+    const step = most === Math.round(most) && Number.isInteger(value) && least === 1 ?
+      1 :
+      Number(((most - least) / 200).toPrecision(2));
     return this.sliders.slider(title, least, most, step, value, words, (v, going) => {
       const found = this.find(place);
       if (!found) return;
@@ -83,7 +98,8 @@ export class Pointed {
   }
 
   grey(material, place) {
-    const { one: { text }, thing } = this.find(place), { value, most } = grey_of(text, thing), radiance = colour_of(thing) === 'radiance';
+    const { one: { text }, thing } = this.find(place), { value, most } = grey_of(text, thing);
+    const radiance = colour_of(thing) === 'radiance';
     const words = radiance ? short : two;
     return this.slider(place, colour_of(thing), 0, most, value, words,
       (now, at, v) => [with_grey(now, at, v), `${material}: ${words(value)} to ${words(v)}`]);
@@ -92,12 +108,17 @@ export class Pointed {
   // What a line repeats and turns, and where it stands.
   place(name, place) {
     const { one: { text }, thing } = this.find(place), all = numbers_of(text, thing), line = place.replace(/.*[/]/, '');
-    const several = thing.command ? all.map((n, k) => [n, k]).filter(([n]) => n.whole || /^-r[xyz]$/.test(n.option)) : [];
-    return [...several.map(([n, k]) => this.slider(place, n.whole ? 'repeated' : 'turned, degrees', n.whole ? 1 : n.value - 90,
-      n.whole ? Math.max(8, 2 * n.value) : n.value + 90, n.value, (v) => two(v),
-      (now, at, v) => [with_number(now, numbers_of(now, at)[k], v), `${line}: ${two(n.value)} to ${two(v)}`])),
-    ...['moved along x', 'moved along y', 'moved up'].map((title, axis) => this.slider(place, title, -1, 1, 0, two,
-      (now, at, v, before) => [with_move(now, at, axis, v - before), `${name} ${title} by ${two(v)}`]))];
+    const several =
+      thing.command ? all.map((n, k) => [n, k]).filter(([n]) => n.whole || /^-r[xyz]$/.test(n.option)) : [];
+    return [
+      ...several.map(
+        ([n, k]) => this.slider(place, n.whole ? 'repeated' : 'turned, degrees', n.whole ? 1 : n.value - 90,
+          n.whole ? Math.max(8, 2 * n.value) : n.value + 90, n.value, (v) => two(v),
+          (now, at, v) => [with_number(now, numbers_of(now, at)[k], v), `${line}: ${two(n.value)} to ${two(v)}`])),
+      ...['moved along x', 'moved along y', 'moved up'].map(
+        (title, axis) => this.slider(place, title, -1, 1, 0, two,
+          (now, at, v, before) => [with_move(now, at, axis, v - before), `${name} ${title} by ${two(v)}`]))
+    ];
   }
 
   // The file that a shade is added to: that of the surface, else the last one without a sky.
@@ -114,7 +135,8 @@ export class Pointed {
       this.sliders.choose(one);
       this.sliders.set(text, false, `${shade} added to ${name}`);
       const thing = things_in(text).find((t) => t.name === shade);
-      $('here').replaceChildren(make('p', {}, make('strong', {}, shade)), ...this.place(shade, `${one.file.name}:${thing.line}`));
+      $('here').replaceChildren(
+        make('p', {}, make('strong', {}, shade)), ...this.place(shade, `${one.file.name}:${thing.line}`));
     });
     return button;
   }

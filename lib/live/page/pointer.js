@@ -1,5 +1,5 @@
-// The pointer on the picture: the part of the page that takes a press keeps it until it ends; a press that none takes moves
-// the picture.  Two fingers and the wheel zoom.
+// The pointer on the picture: the part of the page that takes a press keeps it until it ends; a press that none takes
+// moves the picture.  Two fingers and the wheel zoom.
 
 // takers: objects with down(at, place, reach) -> taken, move(at, place, event), up(); hover(at): of a pixel, or null.
 // click(at): of a pixel, where the pointer was pressed and has not moved.
@@ -29,7 +29,8 @@ export function follow(view, takers, hover, event_of_drag, click) {
       const [a, b] = [...fingers.values()], before = Math.hypot(a.clientX - b.clientX, a.clientY - b.clientY);
       fingers.set(e.pointerId, e);
       const [c, d] = [...fingers.values()];
-      view.zoomBy(Math.hypot(c.clientX - d.clientX, c.clientY - d.clientY) / (before || 1), (c.clientX + d.clientX) / 2, (c.clientY + d.clientY) / 2);
+      view.zoomBy(Math.hypot(c.clientX - d.clientX, c.clientY - d.clientY) / (before || 1), (c.clientX + d.clientX) / 2,
+        (c.clientY + d.clientY) / 2);
     } else if (taker) {
       taker.move(at, place, e);
     } else if (fingers.size) {
@@ -43,7 +44,8 @@ export function follow(view, takers, hover, event_of_drag, click) {
 
   const end = (e) => {
     fingers.delete(e.pointerId);
-    const still = pressed?.pointerId === e.pointerId && Math.hypot(e.clientX - pressed.clientX, e.clientY - pressed.clientY) < 4;
+    const still =
+      pressed?.pointerId === e.pointerId && Math.hypot(e.clientX - pressed.clientX, e.clientY - pressed.clientY) < 4;
     const at = !taker && still && e.type === 'pointerup' && view.pixel(e.clientX, e.clientY);
     if (at) click(at);
     taker?.up(e);

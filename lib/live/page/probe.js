@@ -5,7 +5,8 @@ import { luminance, short } from '/picture.js';
 const $ = (id) => document.getElementById(id);
 
 export class Probe {
-  // more: functions of x, y that give words on the pixel, or ''; later: one that gives them in a while, where the pointer rests.
+  // more: functions of x, y that give words on the pixel, or ''; later: one that gives them in a while, where the
+  // pointer rests.
   constructor(more, later) { Object.assign(this, { more, later, asking: false, at: null }); }
 
   // at: { x, y }, whole pixels, or null.
@@ -18,13 +19,18 @@ export class Probe {
     const say = () => { if (this.at === at) $('probe').textContent = words + names + facts; };
     say();
     clearTimeout(this.rests);
-    this.rests = setTimeout(async () => { names = (await this.later(at.x, at.y)).replace(/^(?=.)/, ', '); say(); }, 150);
+    this.rests = setTimeout(async () => {
+      names = (await this.later(at.x, at.y)).replace(/^(?=.)/, ', ');
+      say();
+    }, 150);
     if (this.asking) return;
     this.asking = true;
     try {
       const answer = await ask(`/pixel?x=${at.x}&y=${at.y}`), p = answer.ok ? await answer.json() : {};
-      if (p.direction) facts = `, ${short(p.angle)}° from the line of sight, direction ${p.direction.map((v) => short(v)).join(' ')}, ` +
-        `solid angle ${short(p.omega)} sr, position index ${short(p.position)}`;
+      if (p.direction)
+        facts =
+          `, ${short(p.angle)}° from the line of sight, direction ${p.direction.map((v) => short(v)).join(' ')}, ` +
+          `solid angle ${short(p.omega)} sr, position index ${short(p.position)}`;
       say();
     } finally {
       this.asking = false;

@@ -1,7 +1,10 @@
-// The text of a region file (vcregion(5)) and changes of it.  A change is a function of the text, so that it can be made
-// again in a text that somebody else has changed meanwhile; it gives null where that has changed the same region.
+// The text of a region file (vcregion(5)) and changes of it.  A change is a function of the text, so that it can be
+// made again in a text that somebody else has changed meanwhile; it gives null where that has changed the same region.
 
-const code_of = (line) => { const at = line.search(/#(?=(?:[^"]*"[^"]*")*[^"]*$)/); return at < 0 ? line : line.slice(0, at); };
+const code_of = (line) => {
+  const at = line.search(/#(?=(?:[^"]*"[^"]*")*[^"]*$)/);
+  return at < 0 ? line : line.slice(0, at);
+};
 
 // [{ name, definition, from, to, lead, comments }]: from..to are its lines, lead the blanks behind its name.
 export function regions_of(text) {
@@ -17,7 +20,8 @@ export function regions_of(text) {
       return;
     }
     const [, name, lead, definition] = /^(\S+)(\s*(?:=\s*)?)(.*)$/.exec(code);
-    all.push({ name, definition: definition.trim(), from: k, to: k, lead: lead || ' ', comments: comment ? [comment] : [] });
+    all.push(
+      { name, definition: definition.trim(), from: k, to: k, lead: lead || ' ', comments: comment ? [comment] : [] });
   });
   return all;
 }
@@ -25,7 +29,8 @@ export function regions_of(text) {
 const word = (name) => new RegExp(`(^|[\\s()&!])${name.replace(/[-]/g, '\\-')}(?=$|[\\s()&!])`, 'g');
 
 // Lines of nothing but a comment between those of a region.
-const own_comments = (lines, region) => lines.slice(region.from, region.to + 1).filter((l) => l.trim() && !code_of(l).trim());
+const own_comments = (lines, region) =>
+  lines.slice(region.from, region.to + 1).filter((l) => l.trim() && !code_of(l).trim());
 
 // Another name, another definition, or both; a new name also in what other regions are made of.
 export const replace = (region, name, definition, mine = false) => (text) => {
@@ -34,11 +39,13 @@ export const replace = (region, name, definition, mine = false) => (text) => {
   const lines = text.split('\n');
   const lead = now.lead.includes('=') || now.lead.length < 2 ? now.lead
     : ' '.repeat(Math.max(1, now.lead.length + now.name.length - name.length));
-  lines.splice(now.from, now.to - now.from + 1, ...own_comments(lines, now), [name + lead + definition, ...now.comments].join('  '));
+  lines.splice(now.from, now.to - now.from + 1, ...own_comments(lines, now),
+    [name + lead + definition, ...now.comments].join('  '));
   if (name === now.name) return lines.join('\n');
   return lines.map((line) => {
     const code = code_of(line), own = /^\S+/.exec(code)?.[0] ?? '';
-    return own === name ? line : own + code.slice(own.length).replace(word(now.name), `$1${name}`) + line.slice(code.length);
+    if (own === name) return line;
+    return own + code.slice(own.length).replace(word(now.name), `$1${name}`) + line.slice(code.length);
   }).join('\n');
 };
 

@@ -1,6 +1,6 @@
 // One shape of a region file (vcregion(5)), as its text says it and as points that can be dragged in the picture.
-//   { kind, frame, points, angle, rest }   frame: pixel, fraction, direction, space or view; angle: of a circle, in degrees;
-//   rest: what is behind the points of disc3d and sphere3d (normal, radius)
+//   { kind, frame, points, angle, rest }   frame: pixel, fraction, direction, space or view; angle: of a circle, in
+//   degrees; rest: what is behind the points of disc3d and sphere3d (normal, radius)
 import { cross, dot, length, plus, turned, unit } from '/view.js';
 
 const space = { polygon3d: [3, 0], box3d: [3, 0], disc3d: [3, 4], sphere3d: [3, 1] };  // numbers a point, numbers after
@@ -11,7 +11,8 @@ export function parse_shape(text) {
   const words = text.trim().split(/\s+/), kind = words.shift();
   let frame = words[0] in per_point ? words.shift() : undefined;
   const numbers = words.map((w) => parseFloat(w));
-  if (numbers.some((v, k) => !Number.isFinite(v) || (k < numbers.length - 1 && !/^[-+.\de]+$/i.test(words[k])))) return null;
+  if (numbers.some((v, k) => !Number.isFinite(v) || (k < numbers.length - 1 && !/^[-+.\de]+$/i.test(words[k]))))
+    return null;
   const unit_of = (words[words.length - 1] ?? '').replace(/^[-+.\d]+(e[-+]?\d+)?/i, '');
   let angle, rest = [], each;
   if (kind in space) {
@@ -36,7 +37,8 @@ const digits = (v, n) => String(Number(v.toFixed(n)));
 export function shape_text({ kind, frame, points, angle, rest }) {
   const n = { pixel: 1, fraction: 5, direction: 6, space: 4, view: 0 }[frame];
   const word = kind in space ? '' : frame === 'space' ? ' point' : frame === 'pixel' ? '' : ` ${frame}`;
-  return kind + (kind === 'circle' && frame === 'direction' ? '' : word) + points.map((p) => '  ' + p.map((v) => digits(v, n)).join(' ')).join('') +
+  return kind + (kind === 'circle' && frame === 'direction' ? '' : word) +
+    points.map((p) => '  ' + p.map((v) => digits(v, n)).join(' ')).join('') +
     rest.map((v) => ' ' + digits(v, 4)).join('') + (angle === undefined ? '' : '  ' + digits(angle, 3));
 }
 
@@ -94,9 +96,11 @@ function rim(shape, eye, size, n) {
   return all;
 }
 
-// A quick drawing of the shape while it is dragged: places one after another, closed.  (Its outline comes from the server.)
+// A quick drawing of the shape while it is dragged: places one after another, closed.  (Its outline comes from the
+// server.)
 export function sketch(shape, eye, size) {
-  if (shape.kind === 'circle' || shape.kind === 'sphere3d' || shape.kind === 'disc3d') return rim(shape, eye, size, 64).filter(Boolean);
+  if (shape.kind === 'circle' || shape.kind === 'sphere3d' || shape.kind === 'disc3d')
+    return rim(shape, eye, size, 64).filter(Boolean);
   if (shape.kind === 'box3d') return shape.points.map((p) => place_of(shape, p, eye, size)).filter(Boolean);
   let corners = shape.points;
   if (shape.kind === 'rect') corners = [[0, 0], [1, 0], [1, 1], [0, 1]].map(([i, j]) => [corners[i][0], corners[j][1]]);

@@ -1,9 +1,15 @@
-// A text that vcview may write for us: read, and changed by functions of its text, one after another, so that no answer is
-// older than what is known.
+// A text that vcview may write for us: read, and changed by functions of its text, one after another, so that no answer
+// is older than what is known.
 import { ask, tag_of, text_of } from '/net.js';
 
 export class TextFile {
-  constructor(n, facts) { this.n = n; Object.assign(this, facts); this.text = ''; this.tag = 'none'; this.turn = Promise.resolve(); }
+  constructor(n, facts) {
+    this.n = n;
+    Object.assign(this, facts);
+    this.text = '';
+    this.tag = 'none';
+    this.turn = Promise.resolve();
+  }
 
   in_turn(work) { return (this.turn = this.turn.then(work, work)); }
   read() { return this.in_turn(() => this.fetch()); }
@@ -22,7 +28,8 @@ export class TextFile {
       const next = change(this.text);
       if (next === null) return 'conflict';
       if (next === this.text) return '';
-      const answer = await ask(`/file?n=${this.n}`, { method: 'PUT', body: next, headers: { 'If-Match': `"${this.tag}"` } });
+      const answer =
+        await ask(`/file?n=${this.n}`, { method: 'PUT', body: next, headers: { 'If-Match': `"${this.tag}"` } });
       if (answer.status === 412) {  // somebody else was faster: the same change in the new text
         await this.fetch();
         continue;

@@ -14,7 +14,9 @@ export class Tones {
       $(id).addEventListener('change', () => this.show());
     $('rescale').addEventListener('click', () => { this.top = 0; $('top').value = ''; this.show(); });
     $('stops').addEventListener('input', () => { $('stops-value').value = $('stops').value; this.show(); });
-    new ResizeObserver(() => { if (this.table) this.draw_legend($('legend'), $('legend').hidden); }).observe($('canvas'));
+    new ResizeObserver(() => {
+      if (this.table) this.draw_legend($('legend'), $('legend').hidden);
+    }).observe($('canvas'));
   }
 
   // rgb: floats of another picture, or null.
@@ -41,12 +43,22 @@ export class Tones {
   async choose_table() {
     const top = Number($('top').value) || this.top || this.picture.top;
     if (this.picture.frames > 1 && this.picture.what !== 'preview') this.top = top;
-    const question = new URLSearchParams({ top, decades: $('decades').value || 3,
-      divisions: $('divisions').value || 8, mask: $('mask').value || 0, style: $('style').value === 'smooth' ? 'smooth' : 'bands' });
+    const question = new URLSearchParams({
+      top,
+      decades: $('decades').value || 3,
+      divisions: $('divisions').value || 8,
+      mask: $('mask').value || 0,
+      style: $('style').value === 'smooth' ? 'smooth' : 'bands'
+    });
     if (this.table?.question === question.toString()) return;
     const answer = await ask('/table?' + question);
     if (!answer.ok) return;
-    this.table = { ...await answer.json(), question: question.toString(), top: Number(question.get('top')), decades: Number(question.get('decades')) };
+    this.table = {
+      ...await answer.json(),
+      question: question.toString(),
+      top: Number(question.get('top')),
+      decades: Number(question.get('decades'))
+    };
   }
 
   exposure() {
@@ -73,8 +85,10 @@ export class Tones {
     if (kind === 'falsecolor') await this.choose_table();
     const { rgb, width, height } = this.picture;
     const compare = this.kept && this.kept.length === rgb.length ? $('compare').value : 'no';
-    const bytes = compare === 'difference' ? difference(rgb, this.kept) : this.bytes_of(compare === 'kept' ? this.kept : rgb);
-    this.view.show(bytes, width, height, rgb, compare === 'wipe' || compare === 'beside' ? this.bytes_of(this.kept) : null, compare === 'beside');
+    const bytes =
+      compare === 'difference' ? difference(rgb, this.kept) : this.bytes_of(compare === 'kept' ? this.kept : rgb);
+    this.view.show(bytes, width, height, rgb,
+      compare === 'wipe' || compare === 'beside' ? this.bytes_of(this.kept) : null, compare === 'beside');
     this.draw_legend($('legend'), kind !== 'falsecolor' || compare === 'difference');
     performance.measure('tone', { start });
   }
@@ -82,7 +96,8 @@ export class Tones {
   draw_legend(canvas, hidden) {
     canvas.hidden = hidden;
     if (hidden) return;
-    const unit = window.devicePixelRatio || 1, width = canvas.width = Math.round(canvas.clientWidth * unit), c = canvas.getContext('2d');
+    const unit = window.devicePixelRatio || 1, width = canvas.width = Math.round(canvas.clientWidth * unit),
+          c = canvas.getContext('2d');
     canvas.height = 34 * unit;
     const { thresholds, colours, top, decades } = this.table;
     const place = (t) => decades > 0 ? top * 10 ** (decades * (t - 1)) : top * t;

@@ -57,7 +57,8 @@ export class Eye {
   }
 
   place(direction) {
-    const z = dot(direction, this.vd), a = dot(direction, this.right), b = dot(direction, this.up), s = Math.hypot(a, b);
+    const z = dot(direction, this.vd), a = dot(direction, this.right), b = dot(direction, this.up),
+          s = Math.hypot(a, b);
     const at = (x, y) => [x / this.size[0] + .5 - this.shift[0], y / this.size[1] + .5 - this.shift[1]];
     switch (this.type) {
       case 'v': return z > 0 ? at(a / z, b / z) : null;
