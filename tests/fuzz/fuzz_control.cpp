@@ -7,7 +7,6 @@
 #include <algorithm>
 
 #include "../../tools/ptrace/edits.h"
-#include "base/overlay.h"
 #include "fuzz_try.h"
 #include "render/command_reader.h"
 
@@ -22,14 +21,15 @@ const std::string& fifo() {
     return path;
 }
 
-Options options() {
-    Options opt;
+Run run() {
+    Run run;
+    Options& opt = run.opt;
     opt.control = fifo();
     opt.view.vh = opt.view.vv = 180;
     opt.view.type = 'a';
     opt.nx = opt.ny = 16;
     opt.views.push_back({"", {opt.view, opt.nx, opt.ny}});
-    return opt;
+    return run;
 }
 
 }  // namespace
@@ -38,7 +38,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     render::CommandReader reader(fifo());
     const int out = open(fifo().c_str(), O_WRONLY | O_NONBLOCK);
     if (out < 0) return 0;
-    Options opt = options();
+    Run now = run();
     for (size_t at = 0; at < size;) {
         const size_t piece = std::min(size - at, size_t(1 + (data[at] & 63) * 16));
         if (write(out, data + at, piece) != ssize_t(piece)) break;
@@ -49,7 +49,8 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
             try_to([&] {
                 const auto command = reader.next();
                 more = bool(command);
-                if (command && command->word != "next" && command->word != "pause") edit(*command, 0, opt);
+                if (command && command->word != "next" && command->word != "pause")
+                    now = edited(now, {*command}, 0).run;
             });
         }
     }
