@@ -3,7 +3,8 @@
 # What an hour of a year costs those who read it: bench/hours.sh build/bin [older/bin]
 # 60 hours of the office under made-up weather, SIZE x SIZE (64) pixels, with 9 and with 17 frames.  Milliseconds of
 # processor time an hour, system's included, on one thread: of `ptaccum -every x2/8`, of `vcmetrics -last` with
-# intervals, of both; medians of RUNS.  With a second folder the two take turns.
+# intervals, of both; medians of RUNS.  With a second folder the two take turns.  Then seconds of ptrace for 96 sensors
+# and all hours of the year.
 set -eu
 new=$(cd "$1" && pwd) old=${2:+$(cd "$2" && pwd)}
 top=$(cd "$(dirname "$0")/.." && pwd)
@@ -38,5 +39,14 @@ for frames in 9 17; do
         printf '%s\t%d' "$name" "$frames"
         for column in 1 2 3; do middle "$dir/$name.$frames" $column; done
         echo
+    done
+done
+
+awk 'BEGIN { for (i = 0; i < 96; i++) print .3 + .45 * (i % 8), .2 + .4 * int(i / 8), .8, 0, 0, 1 }' > "$dir/plan.pts"
+for frames in 9 17 33; do
+    for bin in "$new" ${old:+"$old"}; do
+        { time "$bin/ptrace" -w- -wea "$dir/site.epw" -points "$dir/plan.pts" -frames $frames materials.rad layout.rad \
+            > /dev/null 2>&1; } 2>&1 |
+            awk -v name="$bin" -v frames=$frames '{ printf "%s\t%d\t%.1f s\n", name, frames, $1 + $2 }'
     done
 done

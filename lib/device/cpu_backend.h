@@ -92,6 +92,7 @@ struct TileBackend {
             reuse(part);
         }
     }
+    void begin_round(uint32_t turn) { t.par.reuse_turn = turn; }
     void suffix_roulette() { STAGES::suffix_roulette(t); }
     // The queue becomes the paths whose suffix vertex is connected, group by group.
     void see_connections() {
@@ -107,7 +108,8 @@ struct TileBackend {
         uint32_t connections[REUSE_SQUARE * REUSE_GROUP], count = 0;
         for (uint32_t i = 0; i < t.n; i++) {
             const uint32_t path = t.now[i];
-            uint32_t left = connections_to_attenuate(t.paths.connections[path], reuse_which(path));
+            uint32_t left =
+                connections_to_attenuate(t.paths.connections[path], REUSE_FINDER(&t.par, reuse_which(path)));
             for (; left != 0; left &= left - 1)
                 connections[count++] = path * REUSE_GROUP + uint32_t(__builtin_ctz(left));
         }

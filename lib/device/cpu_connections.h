@@ -61,7 +61,8 @@ FN void know_connections(Tile& t) {
     p.count = REUSE_GROUP;
     for (uint32_t i = 0; i < t.n; i++) {
         const uint32_t path = t.now[i];
-        if (i == 0 || reuse_first(path) != reuse_first(t.now[i - 1])) prefix_vertices(t.paths, path, near);
+        if (i == 0 || reuse_first(path) != reuse_first(t.now[i - 1]))
+            prefix_vertices(t.paths, REUSE_MET(&t.par, path), near);
         uint32_t through = 0;
         const uint32_t facing = connection_rays(t.paths, near, path, p);
         const uint32_t open = packet_look(*t.s, p, facing, RAY_ALL, &through) & ~through;

@@ -37,8 +37,22 @@ struct SunVertices {
     uint32_t count = 0;
 };
 
-static void ask_suns(const Tile& t, SunVertices& v, device::FoundSuns& out) {
+// The middles of the suns, in a list that is shorter than their records.
+struct SunCentres {
+    std::vector<float3> of;
+    float reach = 0.0f;  // from there to the disc's edge, at most
+    explicit SunCentres(const Tile& t) {
+        for (uint32_t i = 0; i < t.par.suns_count; i++) {
+            const Source& sun = t.s->suns[i];
+            of.push_back(f3_of(sun.centre));
+            reach = std::max(reach, length3(f3_of(sun.u)) + length3(f3_of(sun.v)));
+        }
+    }
+};
+
+static void ask_suns(const Tile& t, const SunCentres& centres, SunVertices& v, device::FoundSuns& out) {
     if (v.count == 0) return;
+    const float behind = -1.01f * centres.reach;
     SunRays rays;
     for (uint32_t k = 0; k < v.count; k++) {
         v.sampling[k] = sun_sampling(&t.par, &v.vertex[k]);
@@ -50,13 +64,14 @@ static void ask_suns(const Tile& t, SunVertices& v, device::FoundSuns& out) {
     for (uint32_t i = 0; i < asked.count; i++) {
         const uint32_t sun = asked_sun(t.s, &asked, i);
         for (uint32_t k = 0; k < v.count; k++) {
+            if (!v.through[k] && dot3(centres.of[sun], v.vertex[k].g.ng) < behind) continue;
             if (!samples_sun(&v.sampling[k], &t.s->suns[sun])) continue;
             const float3 way = sun_way(&t.s->suns[sun], v.sampling[k].place);
             const bool up = dot3(way, v.vertex[k].g.ng) > 0.0f;
             if (!up && !v.through[k]) continue;
             const uint32_t ray = rays.p.count++;
             rays.from[ray] = &v.vertex[k], rays.sun[ray] = sun, rays.weight[ray] = float(v.sampling[k].step);
-            packet_put(rays.p, ray, {up ? v.above[k] : v.below[k], 0.0f, way, FAR_AWAY});
+            packet_put(rays.p, ray, {up ? v.above[k] : v.below[k], 0.0f, unit3(way), FAR_AWAY});
             if (rays.p.count == PACKET) answer_suns(t, rays, out);
         }
     }
@@ -67,8 +82,9 @@ static void ask_suns(const Tile& t, SunVertices& v, device::FoundSuns& out) {
 template <class STAGES>
 struct HoursBackend : TileBackend<STAGES> {
     using Base = TileBackend<STAGES>;
+    const SunCentres centres;
     device::FoundSuns found;
-    explicit HoursBackend(Tile& tile) : Base{tile} {}
+    explicit HoursBackend(Tile& tile) : Base{tile}, centres(tile) {}
     void shade() {
         SunVertices v;
         const Tile& t = Base::t;
@@ -77,9 +93,9 @@ struct HoursBackend : TileBackend<STAGES> {
             v.count++;
             const bool more = (t.par.flags & PF_ASKS) != 0u && v.count < PACKET && i + 1 < t.n &&
                               focus_entry(t.s, &t.par, t.now[i]) == focus_entry(t.s, &t.par, t.now[i + 1]);
-            if (!more) ask_suns(t, v, found);
+            if (!more) ask_suns(t, centres, v, found);
         }
-        ask_suns(t, v, found);
+        ask_suns(t, centres, v, found);
         Base::shade();
     }
 };
@@ -89,15 +105,24 @@ static void keep_skies(const Tile& t, device::HourPaths& out) {
         const Row_sky_way way = sky_way_of(t.paths.sky_way[i]);
         const float3 rgb = way.kind == SKY_NONE ? F3(0.0f, 0.0f, 0.0f) : xyz4(t.paths.sky_share[i]);
         out.sky.push_back({{way.dir.x, way.dir.y, way.dir.z}, {rgb.x, rgb.y, rgb.z}, way.kind});
+        const float3 org = xyz4(t.paths.org[i]);
+        out.end.insert(out.end.end(), {org.x, org.y, org.z});
     }
 }
 
-static void keep_shares(const Tile& t, device::HourPaths& out) {
-    if (t.par.reuse_path_count == 0) return;
-    out.shares.resize(size_t(t.par.path_count) * REUSE_GROUP * 3);
-    for (uint32_t path = 0; path < t.par.path_count; path++)
-        for (uint32_t m = 0; m < REUSE_GROUP; m++)
-            put3(path_share_of_suffix(&t.paths, reuse_first(path), m, reuse_which(path)),
-                 &out.shares[3 * (size_t(path) * REUSE_GROUP + m)]);
+// Suffix vertices meet the prefix vertices of their groups, square by square.
+template <class BACKEND>
+static void keep_shares(BACKEND& backend, device::HourPaths& out) {
+    const Params& par = backend.t.par;
+    std::vector<float4> found(size_t(par.reuse_rounds) * REUSE_SQUARE * REUSE_GROUP);
+    backend.in_reuse_parts([&](auto& square) {
+        auto to = found.begin();
+        device::meet_suffixes(square, par.reuse_rounds, [&] {
+            for (uint32_t path = 0; path < REUSE_SQUARE; path++)
+                for (uint32_t m = 0; m < REUSE_GROUP; m++)
+                    *to++ = path_share_of_suffix(&square.t.par, &square.t.paths, path, m);
+        });
+        device::weigh_shares(par.reuse_rounds, found.data(), square.t.paths.suffix_rad, square.t.paths.rad, out);
+    });
 }
 #endif

@@ -2,6 +2,7 @@
 // Body of the cpu_kernels_*.cpp files: the shared kernels, compiled for one instruction set (LUX_ISA, a namespace of
 // its own for what is not static), run over tiles.
 #include "device/cpu_kernels.h"
+#include "device/hour_shares.h"
 #include "device/wavefront.h"
 
 namespace kernels {
@@ -34,11 +35,11 @@ static void run_hours(const SceneTables& s, const Params& par, uint32_t first, u
                       float* film, device::HourPaths& out) {
     Tile t = carve(s, par, first, count, scratch);
     HoursBackend<STAGES> backend(t);
-    device::run_paths(backend, par.reuse_path_count != 0);
+    device::run_paths(backend, false);
+    if (par.reuse_path_count != 0) keep_shares(backend, out);
     store(t, film);
     backend.found.sort(2 * count, out);
     keep_skies(t, out);
-    keep_shares(t, out);
 }
 
 static void splat(const SceneTables& s, const Params& par, const device::SplatRay* rays, uint32_t first, uint32_t count,

@@ -14,18 +14,27 @@ struct SunShare {
     float rgb[3];
 };
 
+// Share of a path in the light of a suffix vertex.
+struct SuffixShare {
+    uint32_t suffix;  // its path in the square
+    float rgb[3];
+};
+
 struct SkyShare {
     float dir[3], rgb[3];
-    uint32_t kind;  // SKY_*
+    uint32_t kind;  // SKY_*; SKY_GATHERS: dir is a normal, rgb the reflectance
 };
 
 struct HourPaths {
     std::vector<float> rest;  // light that is the same in all hours, as Device::run() gives it
     std::vector<SkyShare> sky;
+    std::vector<float> end;  // 3 floats a path: where it ends in SKY_GATHERS
     std::vector<SunShare> suns;
     // Path p's own suns are from suns_at[2 p] on, those of its suffix vertex from suns_at[2 p + 1] to suns_at[2 p + 2].
     std::vector<uint64_t> suns_at;
-    std::vector<float> shares;  // with path reuse: 3 floats for each suffix vertex of its group, in order
+    // With path reuse: those of path p from shares_at[p] on.
+    std::vector<SuffixShare> shares;
+    std::vector<uint64_t> shares_at;
 
     void append(HourPaths&& more);  // of the paths that follow
 };
@@ -58,10 +67,14 @@ private:
 
 inline void HourPaths::append(HourPaths&& more) {
     const auto add = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
-    const uint64_t before = suns.size();
-    if (suns_at.empty()) suns_at.push_back(0);
-    for (size_t i = 1; i < more.suns_at.size(); i++) suns_at.push_back(before + more.suns_at[i]);
+    const auto add_places = [](auto& to, const auto& from, uint64_t before) {
+        if (to.empty() && !from.empty()) to.push_back(0);
+        for (size_t i = 1; i < from.size(); i++) to.push_back(before + from[i]);
+    };
+    add_places(suns_at, more.suns_at, suns.size());
+    add_places(shares_at, more.shares_at, shares.size());
     add(sky, more.sky);
+    add(end, more.end);
     add(suns, more.suns);
     add(shares, more.shares);
 }

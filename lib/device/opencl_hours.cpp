@@ -6,9 +6,11 @@
 
 #include "base/shutdown.h"
 #include "device/device.h"
+#include "device/hour_shares.h"
 #include "device/wavefront.h"
 
 namespace device {
+using kernels::float4;
 namespace {
 
 constexpr uint64_t most_bytes = uint64_t(1) << 27;  // of responses, 24 for each path and sun
@@ -25,6 +27,22 @@ void find_suns(OpenclPaths& paths, uint32_t suns, FoundSuns& found) {
         }
 }
 
+// Suffix vertices meet the prefix vertices of their groups.
+void light_suffixes(OpenclPaths& paths, const kernels::Params& part, std::vector<float4>& rad, HourPaths& out) {
+    constexpr size_t square = REUSE_SQUARE * REUSE_GROUP;
+    std::vector<float4> suffix_rad(rad.size()), found, of_square;
+    meet_suffixes(paths, part.reuse_rounds, [&] { paths.suffix_shares(found); });
+    paths.read(PATH_suffix_rad, suffix_rad);
+    for (size_t first = 0; first < rad.size(); first += REUSE_SQUARE) {
+        of_square.clear();
+        for (uint32_t round = 0; round < part.reuse_rounds; round++) {
+            const auto at = found.begin() + long((round * rad.size() + first) * REUSE_GROUP);
+            of_square.insert(of_square.end(), at, at + square);
+        }
+        weigh_shares(part.reuse_rounds, of_square.data(), &suffix_rad[first], &rad[first], out);
+    }
+}
+
 // rest: by path.
 void run_part(OpenclPaths& paths, const kernels::Params& part, HourPaths& out) {
     FoundSuns found;
@@ -38,19 +56,18 @@ void run_part(OpenclPaths& paths, const kernels::Params& part, HourPaths& out) {
         paths.shadow();
         paths.next_bounce();
     }
-    if (part.reuse_path_count != 0) {
-        reuse_suffixes(paths);
-        paths.suffix_shares(out.shares);
-    }
     found.sort(2 * part.path_count, out);
-    std::vector<kernels::float4> rad(part.path_count), way(rad.size()), share(rad.size());
+    std::vector<float4> rad(part.path_count), way(rad.size()), share(rad.size()), org(rad.size());
     paths.read(PATH_rad, rad);
+    if (part.reuse_path_count != 0) light_suffixes(paths, part, rad, out);
     paths.read(PATH_sky_way, way);
     paths.read(PATH_sky_share, share);
+    paths.read(PATH_org, org);
     for (size_t i = 0; i < rad.size(); i++) {
         const kernels::Row_sky_way w = kernels::sky_way_of(way[i]);
         out.rest.insert(out.rest.end(), {rad[i].x, rad[i].y, rad[i].z});
         out.sky.push_back({{w.dir.x, w.dir.y, w.dir.z}, {0, 0, 0}, w.kind});
+        out.end.insert(out.end.end(), {org[i].x, org[i].y, org[i].z});
         if (w.kind != SKY_NONE) std::copy_n(&share[i].x, 3, out.sky.back().rgb);
     }
 }

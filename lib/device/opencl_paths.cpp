@@ -79,6 +79,7 @@ void OpenclPaths::release() {
 
 void OpenclPaths::reserve(const kernels::Params& par) {
     const uint32_t count = par.path_count;
+    par_ = par;
     queue_.enqueueWriteBuffer(params_, CL_TRUE, 0, sizeof par, &par);
     count_ = count;
     const uint32_t needs = needs_ | kernels::path_needs(&par), capacity = std::max(capacity_, count);
@@ -148,11 +149,17 @@ void OpenclPaths::suns(uint32_t suns, std::vector<uint32_t>& queue, std::vector<
     queue_.enqueueReadBuffer(wide_, CL_TRUE, 0, 4 * rows.size(), rows.data());
 }
 
-void OpenclPaths::suffix_shares(std::vector<float>& shares) {
-    shares.resize(size_t(count_) * REUSE_GROUP * 3);
-    wide_ = room(shares.size(), 4);
+void OpenclPaths::begin_round(uint32_t turn) {
+    par_.reuse_turn = turn;
+    queue_.enqueueWriteBuffer(params_, CL_TRUE, 0, sizeof par_, &par_);
+}
+
+void OpenclPaths::suffix_shares(std::vector<float4>& found) {
+    const size_t before = found.size(), more = size_t(count_) * REUSE_GROUP;
+    found.resize(before + more);
+    wide_ = room(more, sizeof(float4));
     stage(STAGE_suffix_shares, count_, wide_);
-    queue_.enqueueReadBuffer(wide_, CL_TRUE, 0, 4 * shares.size(), shares.data());
+    queue_.enqueueReadBuffer(wide_, CL_TRUE, 0, more * sizeof(float4), &found[before]);
 }
 
 void OpenclPaths::shadow() { stage(STAGE_shadow, active_, counters_, shadow_queue_); }

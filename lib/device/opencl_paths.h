@@ -60,6 +60,7 @@ public:
     void in_reuse_parts(F&& reuse) {
         reuse(*this);
     }
+    void begin_round(uint32_t turn);
     void suffix_roulette() { stage(STAGE_suffix_roulette, count_); }
     void see_connections() { stage(STAGE_connection, count_); }
     void attenuate_connections() { stage(STAGE_transmittance, count_); }
@@ -67,10 +68,10 @@ public:
     void normalise_mis() { stage(STAGE_normalise_mis, count_); }
     void gather() { stage(STAGE_gather, count_); }
 
-    // For many hours: responses of the queue's paths to so many suns, 6 floats each (k_suns), and those paths; the
-    // shares of their groups' suffix vertices.
+    // For many hours: responses of the queue's paths to so many suns, 6 floats each (k_suns), and those paths; what
+    // the paths have found in this round, after what is in `found` (k_suffix_shares).
     void suns(uint32_t suns, std::vector<uint32_t>& queue, std::vector<float>& rows);
-    void suffix_shares(std::vector<float>& shares);
+    void suffix_shares(std::vector<kernels::float4>& found);
 
     // Adds the paths' radiance to the film, 3 floats each, in its order (kernels/integrator/path_reuse.h), on the
     // device, because the host would take as long as a GPU takes for the rest.
@@ -120,6 +121,7 @@ private:
     size_t film_bytes_ = 0;
     char* pinned_at_ = nullptr;  // where the host sees pinned_
     uint32_t capacity_ = 0;
+    kernels::Params par_ = {};
     uint32_t count_ = 0;                 // paths of the pass
     uint32_t active_ = 0, bounces_ = 0;  // at most so many are in the queue; since begin()
     uint32_t needs_ = PATH_ALWAYS;       // the fields that have that capacity

@@ -35,6 +35,20 @@ void reuse_suffixes(Backend& b) {
     b.gather();
 }
 
+// The same for many hours, whose light is not known yet: groups meet in turn (kernels/integrator/path_reuse.h).  keep()
+// takes what a round has found.
+template <class Backend, class Keep>
+void meet_suffixes(Backend& b, uint32_t rounds, Keep&& keep) {
+    b.suffix_roulette();
+    for (uint32_t round = 0; round < rounds; round++) {
+        b.begin_round(REUSE_FIRST(round));
+        b.see_connections();
+        b.attenuate_connections();
+        b.connect();
+        keep();
+    }
+}
+
 // The paths of a pass, from the eye.
 template <class Backend>
 void run_paths(Backend& b, bool reuse) {

@@ -108,7 +108,7 @@ __kernel void k_suns(ALL_ARGS, __global const uint *counters, __global const uin
         if (lit && samples_sun(&sampling, &s.suns[sun])) {
             float3 way = sun_way(&s.suns[sun], sampling.place);
             if (through || dot3(way, vertex.g.ng) > 0.0f)
-                path_sun(&s, par, &vertex, sun, way, SHADOW_TO_TRACE, &own, &shared);
+                path_sun(&s, par, &vertex, sun, unit3(way), SHADOW_TO_TRACE, &own, &shared);
         }
         size_t at = 2 * ((size_t)i * par->suns_count + sun);
         vstore3(scale3(own, (float)sampling.step), at, rows);
@@ -116,12 +116,12 @@ __kernel void k_suns(ALL_ARGS, __global const uint *counters, __global const uin
     }
 }
 
-// Shares of the suffix vertices of a path's group in its light.
-__kernel void k_suffix_shares(ALL_ARGS, __global float *shares) {
+// What each path gets of the suffix vertices of a group (path_share_of_suffix).
+__kernel void k_suffix_shares(ALL_ARGS, __global float4 *shares) {
     SET_UP
     if (i >= par->path_count) return;
     for (uint m = 0; m < REUSE_GROUP; m++)
-        vstore3(path_share_of_suffix(&paths, reuse_first(i), m, reuse_which(i)), (size_t)i * REUSE_GROUP + m, shares);
+        shares[(size_t)i * REUSE_GROUP + m] = path_share_of_suffix(par, &paths, i, m);
 }
 
 // Paths without a hit, if k_shade leaves them (HAS(SKY)): a sky may be a long program, which would cost registers for
@@ -149,7 +149,7 @@ __kernel void k_connection(ALL_ARGS) {
 __kernel void k_transmittance(ALL_ARGS) {
     SET_UP
     if (i >= par->path_count || !CONNECTS_SUFFIX(&paths, i)) return;
-    uint through = connections_to_attenuate(paths.connections[i], reuse_which(i));
+    uint through = connections_to_attenuate(paths.connections[i], REUSE_FINDER(par, reuse_which(i)));
     for (uint m = 0; m < REUSE_GROUP; m++)
         if (through >> m & 1u) connection_transmittance(&s, par, &paths, i, m);
 }

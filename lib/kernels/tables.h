@@ -94,6 +94,7 @@ STRUCT(Params) {
     float portal_least, portal_most;  // mixture weight of portals, where there are any
     uint spp, focus_at;             // samples of a pixel in a frame; above 1: of the pixels in `focus` from focus_at on
     uint reuse_path_count;          // of a sample whose paths share their suffix vertices (path_reuse.h); 0: none does
+    uint reuse_rounds, reuse_turn;  // of many hours (path_reuse.h); of this round
     uint suns_step, suns_step_eye;  // of the suns of many hours a vertex asks each n-th, n a power of two (hours.h)
     uint hours_sky_at;              // the sky of the hours is in distant, from this one on
     uint redraw;  // not 0: other random numbers than usual, except for the point in the pixel and on the lens
@@ -131,5 +132,6 @@ FN void record_sizes(GLOBAL uint* UNIFORM sizes) { RECORDS }
 #define PF_SENSORS 64u         // paths begin on the points, as on white diffuse surfaces; else as rays from them
 #define PF_HOURS 128u          // paths for many hours (integrator/hours.h)
 #define PF_ASKS 256u           // a pixel of `focus` asks suns of its own
+#define PF_GATHERS 512u        // paths for many hours end at suffix vertices, which are sensors of a pass of their own
 #define PF_DIRECTIONS 32u      // MODE_IMAGE: in place of light, the direction in which a bent path leaves the scene
 #endif

@@ -11,9 +11,11 @@ namespace render {
 using namespace kernels;
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
-__attribute__((target_clones("avx512f", "avx2", "default")))
+#define LUX_WIDE __attribute__((target_clones("avx512f", "avx2", "default")))
+#else
+#define LUX_WIDE
 #endif
-void add_scaled(float* to, const float* from, float by, size_t n) {
+LUX_WIDE void add_scaled(float* to, const float* from, float by, size_t n) {
     for (size_t i = 0; i < n; i++) to[i] += by * from[i];
 }
 
@@ -32,13 +34,8 @@ std::vector<float> values_of_hour(const HourValues& by_hour, size_t hours, size_
     return {by_hour.begin() + long(hour) * n, by_hour.begin() + long(hour + 1) * n};
 }
 
-HourLight::HourLight(const std::vector<HourSky>& hours, size_t first, size_t count,
-                     const std::vector<uint32_t>& hour_of_sun, bool drawn)
-    : first_(&hours[first]), sky_(&hours[first], count), place_(hour_of_sun.size(), none), drawn_(drawn) {
-    for (size_t sun = 0; sun < hour_of_sun.size(); sun++)
-        if (hour_of_sun[sun] >= first && hour_of_sun[sun] < first + count)
-            place_[sun] = uint32_t(hour_of_sun[sun] - first);
-}
+HourLight::HourLight(const std::vector<HourSky>& hours, size_t first, size_t count, bool drawn)
+    : begin_(first), first_(&hours[first]), sky_(&hours[first], count), drawn_(drawn) {}
 
 void HourLight::add_sky(const device::SkyShare& sky, float* to) const {
     float radiance[most_hours_together];
@@ -48,11 +45,12 @@ void HourLight::add_sky(const device::SkyShare& sky, float* to) const {
 }
 
 void HourLight::add_suns(const PathFactors& f, size_t list, float by, float* to) const {
-    for (uint64_t i = f.suns_at[list]; i < f.suns_at[list + 1]; i++) {
-        const uint32_t hour = place_[f.suns[i].sun];
-        if (hour == none) continue;
+    const Factor *begin = f.suns.data() + f.suns_at[list], *end = f.suns.data() + f.suns_at[list + 1];
+    begin = std::lower_bound(begin, end, begin_, [](const Factor& s, size_t hour) { return s.of < hour; });
+    for (; begin < end && begin->of < begin_ + hours(); begin++) {
+        const size_t hour = begin->of - begin_;
         float rgb[3];
-        unpack(f.suns[i], rgb);
+        unpack(*begin, rgb);
         for (size_t c = 0; c < 3; c++) to[c * hours() + hour] += by * sky_.sun_irradiance(hour) * rgb[c];
     }
 }
@@ -67,9 +65,59 @@ void HourLight::add_suffix(const PathFactors& f, size_t path, float* to) const {
     if ((f.sky[path].kind & SKY_SUFFIX) != 0) add_sky(f.sky[path], to);
 }
 
+namespace {
+
+// Adds to n values the same ones of rows of a matrix, each times its factor.
+LUX_WIDE void add_rows(float* to, const float* from, size_t row, const std::vector<uint32_t>& which, const float* by,
+                       size_t n) {
+    typedef float Wide __attribute__((vector_size(64), aligned(4), may_alias));
+    constexpr size_t wide = 16;
+    size_t at = 0;
+    for (; at + 2 * wide <= n; at += 2 * wide) {  // two sums at once, in registers
+        Wide *a = reinterpret_cast<Wide*>(to + at), *b = reinterpret_cast<Wide*>(to + at + wide), sa = *a, sb = *b;
+        for (size_t i = 0; i < which.size(); i++) {
+            const float* values = from + which[i] * row + at;
+            sa += by[i] * *reinterpret_cast<const Wide*>(values);
+            sb += by[i] * *reinterpret_cast<const Wide*>(values + wide);
+        }
+        *a = sa, *b = sb;
+    }
+    for (size_t i = 0; i < which.size(); i++)
+        for (size_t k = at; k < n; k++) to[k] += by[i] * from[which[i] * row + k];
+}
+
+// The path has neither found nor shares any light: its pixel may be none.
+bool is_empty(const PathFactors& f, size_t path) {
+    return f.sky[path].kind == SKY_NONE && f.suns_at[2 * path] == f.suns_at[2 * path + 2] &&
+           (f.shares_at.empty() || f.shares_at[path] == f.shares_at[path + 1]);
+}
+
+// The shares of a path in suffix vertices.
+class Shares {
+public:
+    // suffix: 3 rows of n hours of each suffix vertex of its square; to: 3 rows.
+    void add(const PathFactors& f, size_t path, const std::vector<float>& suffix, size_t n, float* to) {
+        which_.clear();
+        for (auto& by : by_) by.clear();
+        for (uint64_t i = f.shares_at[path]; i < f.shares_at[path + 1]; i++) {
+            float rgb[3];
+            unpack(f.shares[i], rgb);
+            which_.push_back(f.shares[i].of);
+            for (size_t c = 0; c < 3; c++) by_[c].push_back(rgb[c]);
+        }
+        for (size_t c = 0; c < 3; c++) add_rows(to + c * n, &suffix[c * n], 3 * n, which_, by_[c].data(), n);
+    }
+
+private:
+    std::vector<uint32_t> which_;
+    std::vector<float> by_[3];
+};
+
+}  // namespace
+
 HourValues light_frame(const PathFactors& f, size_t pixels, const HourLight& by) {
     const size_t n = by.hours(), row = 3 * n, paths = f.sky.size();
-    const bool reuse = !f.shares.empty();
+    const bool reuse = !f.shares_at.empty();
     const size_t together = reuse ? REUSE_SQUARE : 1;
     const float weight = 1 / float(f.samples);
     HourValues out(pixels * row, 0.0f);
@@ -78,21 +126,25 @@ HourValues light_frame(const PathFactors& f, size_t pixels, const HourLight& by)
         for (size_t h = 0; h < n; h++) to[h] += weight * f.rest[i];
     }
     std::vector<float> own(row), suffix(together * row);
+    Shares shares;
+    const HourValues gathered = f.gathered ? light_frame(*f.gathered, paths, by) : HourValues();
     for (size_t first = 0; first < paths; first += together) {
         const size_t end = std::min(paths, first + together);
         if (reuse) std::fill(suffix.begin(), suffix.end(), 0.0f);
-        for (size_t path = first; reuse && path < end; path++) by.add_suffix(f, path, &suffix[(path - first) * row]);
+        for (size_t path = first; reuse && path < end; path++) {
+            if (is_empty(f, path)) continue;
+            float* to = &suffix[(path - first) * row];
+            by.add_suffix(f, path, to);
+            if (f.sky[path].kind == SKY_GATHERS)
+                for (size_t c = 0; c < 3; c++)
+                    add_scaled(to + c * n, &gathered[path * row + c * n], K_INV_PI * f.sky[path].rgb[c], n);
+        }
         for (size_t path = first; path < end; path++) {
             const uint32_t sample = reuse ? f.sample[path] : uint32_t(path);
-            if (sample == NONE) continue;
+            if (sample == NONE || is_empty(f, path)) continue;
             std::fill(own.begin(), own.end(), 0.0f);
             by.add_own(f, path, own.data());
-            for (size_t m = 0; reuse && m < REUSE_GROUP; m++) {
-                const float *share = &f.shares[3 * (path * REUSE_GROUP + m)],
-                            *from = &suffix[reuse_member(uint32_t(path - first), uint32_t(m)) * row];
-                for (size_t c = 0; c < 3; c++)
-                    if (share[c] != 0) add_scaled(&own[c * n], from + c * n, share[c], n);
-            }
+            if (reuse) shares.add(f, path, suffix, n, own.data());
             add_scaled(&out[sample / f.samples * row], own.data(), weight, row);
         }
     }

@@ -19,10 +19,8 @@ std::vector<float> values_of_hour(const HourValues& by_hour, size_t hours, size_
 
 class HourLight {
 public:
-    // Hours first .. first + count - 1; hour_of_sun: of all suns that factors know.  drawn: what the eye sees of the
-    // suns straight is drawn by area, and not here.
-    HourLight(const std::vector<HourSky>& hours, size_t first, size_t count, const std::vector<uint32_t>& hour_of_sun,
-              bool drawn);
+    // Hours first .. first + count - 1.  drawn: what the eye sees of the suns straight is drawn by area, and not here.
+    HourLight(const std::vector<HourSky>& hours, size_t first, size_t count, bool drawn);
     size_t hours() const { return sky_.size(); }
     const HourSky& hour(size_t i) const { return first_[i]; }
     bool drawn() const { return drawn_; }
@@ -36,10 +34,9 @@ private:
     void add_sky(const device::SkyShare& sky, float* to) const;
     void add_suns(const PathFactors& f, size_t list, float by, float* to) const;
 
-    static constexpr uint32_t none = 0xffffffff;
+    size_t begin_;
     const HourSky* first_;
     SkyBlock sky_;
-    std::vector<uint32_t> place_;  // by sun: its hour in the block
     bool drawn_;
 };
 

@@ -45,10 +45,10 @@ device::Params params_of_hours(const PixelSampling& sampling, const std::vector<
     return par;
 }
 
-void draw_places(device::Device& device, const device::Params& par, uint32_t k, const HourLight& light,
-                 const std::vector<uint32_t>& pixels, std::vector<HourValues>& out) {
+// f: of these places.
+void light_places(const PathFactors& f, uint32_t k, const HourLight& light, const std::vector<uint32_t>& pixels,
+                  std::vector<HourValues>& out) {
     const size_t n = light.hours();
-    const PathFactors f = draw_factors(device, par, k);
     base::on_all(pixels.size(), [&](size_t i) {
         HourValues& values = out[pixels[i]];
         values.resize(k * n);
@@ -97,7 +97,8 @@ std::vector<image::Moments> moments_of_hours(device::Device& device, const Pixel
                 std::vector<uint32_t> hour_of_sun;
                 const device::Params par =
                     params_of_hours(sampling, some, k, to == &values[k].b, hours, places, hour_of_sun);
-                draw_places(device, par, k, HourLight(hours, 0, n, hour_of_sun, by.drawn()), some, *to);
+                light_places(draw_factors(device, par, k, hour_of_sun), k, HourLight(hours, 0, n, by.drawn()), some,
+                             *to);
             }
         }
     }

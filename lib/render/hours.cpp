@@ -11,8 +11,8 @@
 #include "base/threads.h"
 #include "render/hour_light.h"
 #include "render/hour_moments.h"
+#include "render/hour_sampling.h"
 #include "render/hour_suns.h"
-#include "render/learn.h"
 
 namespace render {
 using namespace kernels;
@@ -20,8 +20,6 @@ using namespace kernels;
 namespace {
 
 constexpr uint64_t most_bytes = uint64_t(9) << 26;  // .6 GB of factors: with pictures and tables less than 1 GB
-constexpr uint32_t samples_of_sun = 8;              // of each pixel in frame 0
-constexpr uint32_t most_samples_of_points = 4;      // in a frame: all hours are told by each
 constexpr size_t paths_at_once = 1u << 16;
 
 // Hours together, so that the pictures of all their frames fit.
@@ -32,48 +30,36 @@ size_t hours_together(size_t pixels, size_t frames) {
     return n;
 }
 
-uint32_t step_of_zero(uint32_t samples) {
-    uint32_t step = 1;
-    while (2 * step * samples_of_sun <= samples) step *= 2;
-    return step;
-}
-
 // The factors of a picture.
 class Hours {
 public:
     Hours(device::Device& device, const ViewPlan& plan, const std::vector<HourSky>& hours, const HoursWanted& wanted)
         : device_(device), plan_(plan), hours_(hours), wanted_(wanted) {
-        const DiffusePlan learned = learn(device, plan);
-        sampling_ = plan.sampling;
-        sampling_.several.clear();
-        ViewTables tables = *plan.sampling.params.view_tables;
-        tables.focus.clear();
-        tables.suns = suns_of(hours, hour_of_sun_);
-        sampling_.params = device::with_view(learned.sampling.params, std::move(tables));
-        sampling_.params.flags |= PF_HOURS;
-        sampling_.params.hours_sky_at = plan.scene.tables->hours_sky_at;
-        sampling_.params.suns_step = 1;
-        sampling_.params.suns_step_eye = step_of_zero(plan.samples_of_zero);
+        HourSampling sampling = sample_hours(device, plan, suns_of(hours, hour_of_sun_));
+        sampling_ = std::move(sampling.pixels);
+        points_ = std::move(sampling.points);
+        samples_of_zero_ = sampling.samples_of_zero;
         pixels_ = size_t(sampling_.params.nx) * sampling_.params.ny;
 
         draw_sources(device, plan, drawn_);
         suns_ = draw_suns(device, plan, sampling_.params);
         if (!draw_zero()) return;
-        const uint32_t each = std::min(sampling_.samples_per_frame, most_samples_of_points);
+        const uint32_t each = sampling_.samples_per_frame;
         for (int64_t k = first_diffuse(); k <= wanted.last; k++) {
             tell("paths", double(k) / double(wanted.last + 1));
             const Pass pass{MODE_FRAMES, (k - 1) * each + 1, each, 0, uint32_t(pixels_)};
-            frames_.push_back(draw_factors(device, params_of_pass(sampling_, pass), each));
+            frames_.push_back(draw_factors(device, params_of_pass(sampling_, pass), each, hour_of_sun_));
             bytes_ += frames_.back().bytes();
             if (!fits(bytes_ + frames_.back().bytes() * uint64_t(wanted.last - k))) return;
         }
     }
     // Else the factors of so many hours would take too much memory, and are not all there.
     bool complete() const { return complete_; }
+    const PointLayout& points() const { return points_; }
 
     // All frames of hours first .. first + count - 1.
     bool give_block(size_t first, size_t count, const GiveHourFrame& give) const {
-        const HourLight by(hours_, first, count, hour_of_sun_, draws_suns(plan_));
+        const HourLight by(hours_, first, count, draws_suns(plan_));
         const DirectValues direct = light_zero(by);
         const DirectValues by_hour{hour_by_hour(direct.mean, count), hour_by_hour(direct.half_off, count),
                                    hour_by_hour(direct.spread, count)};
@@ -111,13 +97,13 @@ private:
 
     // Returns false where they do not fit.
     bool draw_zero() {
-        const uint32_t n = plan_.samples_of_zero, some = std::max<uint32_t>(1, uint32_t(paths_at_once) / n);
+        const uint32_t n = samples_of_zero_, some = std::max<uint32_t>(1, uint32_t(paths_at_once) / n);
         const device::Params& par = sampling_.params;
         for (uint32_t first = 0; first < pixels_; first += some) {
             tell("what the eye sees", double(first) / double(pixels_));
             const uint32_t batch = std::min(some, uint32_t(pixels_) - first);
             const Pass pass{MODE_DIRECT, first_sample_of_zero(plan_), n, first, batch};
-            zero_.push_back(draw_factors(device_, params_of_pass(sampling_, pass), n));
+            zero_.push_back(draw_factors(device_, params_of_pass(sampling_, pass), n, hour_of_sun_));
             zero_at_.push_back(first);
             bytes_ += zero_.back().bytes();
             if (!fits(bytes_ / (first + batch) * pixels_)) return false;
@@ -143,7 +129,7 @@ private:
 
     FrameZero zero_of(const DirectValues& direct, size_t count, size_t first, size_t h) const {
         FrameZero zero = drawn_;
-        zero.samples = plan_.samples_of_zero;
+        zero.samples = samples_of_zero_;
         zero.mean = values_of_hour(direct.mean, count, h);
         zero.half_off = values_of_hour(direct.half_off, count, h);
         zero.spread = values_of_hour(direct.spread, count, h);
@@ -166,6 +152,8 @@ private:
     const std::vector<HourSky>& hours_;
     const HoursWanted& wanted_;
     PixelSampling sampling_;
+    PointLayout points_;
+    uint32_t samples_of_zero_ = 0;
     size_t pixels_ = 0;
     std::vector<uint32_t> hour_of_sun_;
     FrameZero drawn_;                          // lamps: the same in all hours
@@ -184,7 +172,7 @@ void render_hours(device::Device& device, const ViewPlan& plan, const std::vecto
     const size_t pixels = size_t(plan.sampling.params.nx) * plan.sampling.params.ny;
     const size_t n = hours_together(pixels, size_t(wanted.last - wanted.first + 2));
     // Halved where they do not fit: an hour's frames do not depend on the others.
-    size_t most = std::min(hours.size(), most_suns);
+    size_t most = std::min(hours.size(), most_hours);
     for (size_t begin = 0; begin < hours.size();) {
         const size_t count = std::min(most, hours.size() - begin);
         const std::vector<HourSky> some(hours.begin() + long(begin), hours.begin() + long(begin + count));
@@ -194,7 +182,7 @@ void render_hours(device::Device& device, const ViewPlan& plan, const std::vecto
             continue;
         }
         const auto give_points = [&](size_t hour, int64_t k, const std::vector<float>& rgb, const image::Moments& m) {
-            return give(begin + hour, k, plan.points_room > 0 ? in_order(plan.points, rgb, plan.points_room) : rgb, m);
+            return give(begin + hour, k, plan.points_room > 0 ? in_order(all.points(), rgb, plan.points_room) : rgb, m);
         };
         for (size_t first = 0; first < count; first += n)
             if (!all.give_block(first, std::min(n, count - first), give_points)) return;

@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 """beside.py OUT: a year at the 96 sensors of a room by Honeybee's annual recipes and by luxpipe, against HOURS (40) of
-its hours rendered well (FRAMES, 257), of which rtrace renders RTRACE (3) as well.
+its hours rendered well by themselves (FRAMES, 257), of which rtrace renders RTRACE (3) as well.
 
 Needs RADIANCE and the recipes (lbt-recipes and pyradiance beside this Python) and luxpipe's programs in PATH.  The
 room is that of bench/recipes.py, the weather weather.py's, for all of them as a WEA file.  Prints a line for each:
 seconds of a core, and how far the illuminance of a sensor in an hour is off (mean, bias, 95 % within), and in how many
-it is on the wrong side of 300 lx.  luxpipe's seconds are those of the Wednesdays, for as many hours as the recipes'.
-What is there is not made again.
+it is on the wrong side of 300 lx.  luxpipe's seconds are those of ptrace, ptaccum and vcmetrics -each.  What is there
+is not made again.
 """
 import csv
 import os
@@ -73,11 +73,11 @@ def by_recipe(name, parameters):
     return {name_of(hour): lux[:, k] for k, hour in enumerate(hours)}, cpu
 
 
-def by_luxpipe(name, hours, frames, seed=1):
+def by_luxpipe(name, how, frames, seed=1):
     """Hour -> the sensors' lx and half of their intervals."""
     def make():
-        words = ["ptrace", "-w-", "-n", 1, "-wea", WEA, "-points", POINTS, "-hours", hours, "-hours-apart", "-frames",
-                 frames, "-seed", seed, MODEL]
+        words = ["ptrace", "-w-", "-n", 1, "-wea", WEA, "-points", POINTS, *how, "-frames", frames, "-seed", seed,
+                 MODEL]
         frame = subprocess.Popen(list(map(str, words)), stdout=subprocess.PIPE)
         sums = subprocess.Popen(["ptaccum", "-every", "x2"], stdin=frame.stdout, stdout=subprocess.PIPE)
         table = run(["vcmetrics", "-W-", "-each"], stdin=sums.stdout)
@@ -127,15 +127,13 @@ def main():
     print("by", "s of a core", "values", "mean %", "bias %", "95 % within", "wrong at 300 lx, %", sep="\t")
     hours = sorted(years[0][1])
     hours = [hours[int((k + .5) * len(hours) / HOURS)] for k in range(HOURS)]
-    exact, cpu = by_luxpipe("exact", " ".join(hours), FRAMES, 99)
+    exact, cpu = by_luxpipe("exact", ["-hours", " ".join(hours), "-hours-apart"], FRAMES, 99)
     exact = {hour: found for hour, found in exact.items() if found[0].all()}  # without dark ones
     half = numpy.concatenate([half / lux for lux, half in exact.values()])
     exact = {hour: lux for hour, (lux, _) in exact.items()}
     print(f"truth: +- {100 * half.mean():.2f} % at a sensor, {cpu:.0f} s")
-    for frames in (2, 9):
-        share, cpu = by_luxpipe(f"wednesdays.{frames}", "We", frames)
-        cpu *= len(years[0][1]) / sum(lux.sum() > 0 for lux, _ in share.values())
-        found, _ = by_luxpipe(f"hours.{frames}", " ".join(hours), frames)
+    for frames in (9, 17, 33):
+        found, cpu = by_luxpipe(f"year.{frames}", [], frames)
         years.append((f"luxpipe, {frames} frames", {hour: lux for hour, (lux, _) in found.items()}, cpu))
     for name, found, cpu in years:
         say(name, cpu, found, exact)

@@ -128,6 +128,16 @@ TEST_CASE("each pixel has one path of a sample, and each path its place in its g
                     CHECK(member / REUSE_SQUARE == gid / REUSE_SQUARE);
                     CHECK(reuse_member(member, reuse_which(gid)) == gid);
                 }
+                std::set<uint32_t> met;  // by the rounds of many hours
+                for (uint32_t round = 0; round < REUSE_GROUPS; round++) {
+                    par.reuse_turn = REUSE_FIRST(round);
+                    const uint32_t other = REUSE_MET(&par, gid);
+                    CHECK(met.insert(other).second);
+                    CHECK(other / REUSE_SQUARE == gid / REUSE_SQUARE);
+                    CHECK(reuse_which(other) == reuse_which(gid));
+                    CHECK(REUSE_MET(&par, other) == gid);
+                }
+                par.reuse_turn = 0;
             }
             CHECK(pixels.size() == nx * ny);
             CHECK(*pixels.rbegin() == nx * ny - 1);

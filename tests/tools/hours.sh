@@ -69,6 +69,15 @@ check 'hours together have the light of hours apart' '
         ptaccum -every x2/8 | vcmetrics -metrics Ev -ci 95 -last | awk "END { print \$3, (\$5 - \$4) / 4 }"; }
     { ev; ev -hours-apart; } | awk "{ e[NR] = \$1; s[NR] = \$2 }
         END { exit !((e[1] - e[2]) ^ 2 < 16 * (s[1] ^ 2 + s[2] ^ 2)) }"'
+check 'so have sensors, in the same bits one path at a time' '
+    for x in 1 2 3; do for y in 1 2 3; do echo $x $y .8 0 0 1; done; done > nine.pts
+    rows() { ptrace -w- -points nine.pts -wea y.wea -hours 1221_1230 "$@" $scene 2> said | ptaccum -every x2/8 |
+        vcmetrics -W- -each; }
+    rows -frames 65 > together.tsv; rows -hours-apart -frames 129 > apart.tsv
+    paste together.tsv apart.tsv | awk -F "\t" "NR > 1 && \$4 > 0 {
+        sum += (\$4 - \$12) ^ 2 / (((\$6 - \$5) / 4) ^ 2 + ((\$14 - \$13) / 4) ^ 2); n++
+        } END { exit !(n > 6 && sum / n < 4) }"
+    rows -frames 3 > side.tsv; rows -frames 3 -device cpu:baseline | cmp - side.tsv'
 check 'and the same bits one path at a time' '
     render -device cpu:baseline -wea y.wea -hours 1221_1230 2> said | ptaccum -last -o plain_%s.exr
     [ "$(mkstream differ plain_1221_1230.exr 1221_1230.exr)" = 0 ]'

@@ -45,13 +45,13 @@ std::vector<std::array<double, 2>> kept(const std::vector<double>& responses_per
     for (kernels::Source& sun : tables.suns) sun.area = float(solid_angle);
     device::Params par = device::with_view({}, std::move(tables));
     par.suns_count = 8;
-    const render::PathFactors factors = render::draw_factors(told, par, 1);
+    const render::PathFactors factors = render::draw_factors(told, par, 1, {0, 1, 2, 3, 4, 5, 6, 7});
     std::vector<std::array<double, 2>> sums(responses.size());
     for (size_t list = 0; list < sums.size(); list++)
         for (uint64_t i = factors.suns_at[list]; i < factors.suns_at[list + 1]; i++) {
             float rgb[3];
             render::unpack(factors.suns[i], rgb);
-            CHECK(factors.suns[i].sun == 7);
+            CHECK(factors.suns[i].of == 7);
             sums[list][0] += double(rgb[0]), sums[list][1] += double(rgb[1]);
         }
     return sums;

@@ -109,7 +109,7 @@ FN uint connections_known(TABLES(const SceneTables) s, PARAMS(const Params) par,
     uint known = 0u;
     for (UNIFORM uint m = 0u; m < REUSE_GROUP; m++) {
         Connection connection;
-        PrefixVertex prefix = prefix_vertex(paths, reuse_member(path, m));
+        PrefixVertex prefix = prefix_vertex(paths, reuse_member(REUSE_MET(par, path), m));
         if (!connection_ends(paths, &prefix, path, &connection)) continue;
         if (!trace_any(s, &connection.ray, RAY_ALL)) known |= 1u << m;
         else if (par->shadow_mode != SHADOW_OPAQUE && !trace_any(s, &connection.ray, RAY_OPAQUE)) known |= 65536u << m;
@@ -153,9 +153,9 @@ FN int connection_panes(TABLES(const SceneTables) s, PARAMS(const Params) par, P
 }
 
 // Members whose connections to the suffix vertex of a path may lead through panes, one bit each: nothing opaque lies
-// between (and the path's own member, whose ray went that way).
-FN uint connections_to_attenuate(uint known, uint own) {
-    return (known >> REUSE_GROUP | 1u << own) & ~known & ((1u << REUSE_GROUP) - 1u);
+// between (and the member that found it, whose ray went that way).
+FN uint connections_to_attenuate(uint known, uint finder) {
+    return (known >> REUSE_GROUP | 1u << finder) & ~known & ((1u << REUSE_GROUP) - 1u);
 }
 
 // Traces such a connection: transmittance of the panes; w: the probability that a path passes them, negative if
@@ -163,7 +163,7 @@ FN uint connections_to_attenuate(uint known, uint own) {
 FN void connection_transmittance(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths,
                                  uint path, uint m) {
     Connection connection;
-    PrefixVertex prefix = prefix_vertex(paths, reuse_member(path, m));
+    PrefixVertex prefix = prefix_vertex(paths, reuse_member(REUSE_MET(par, path), m));
     float3 T = F3(1.0f, 1.0f, 1.0f);
     float prob = 1.0f;
     if (!connection_ends(paths, &prefix, path, &connection) || !connection_panes(s, par, &connection.ray, &T, &prob))
@@ -179,17 +179,17 @@ FN void path_connect(TABLES(const SceneTables) s, PARAMS(const Params) par, TABL
                      UNIFORM uint first, uint which) {
     PrefixVertex prefix = prefix_vertex(paths, REUSE_MEMBER(first, which));
     for (UNIFORM uint m = 0u; m < REUSE_GROUP; m++) {
-        UNIFORM uint suffix = REUSE_MEMBER(first, m);
+        UNIFORM uint suffix = REUSE_MEMBER(REUSE_MET(par, first), m), finder = REUSE_FINDER(par, m);
         if (!CONNECTS_SUFFIX(paths, suffix)) continue;
         uint open = paths->connections[suffix];
-        uint panes = connections_to_attenuate(open, m);
+        uint panes = connections_to_attenuate(open, finder);
         float pdf = 0.0f, contribution = 0.0f, through = 1.0f;
         if ((panes >> which & 1u) != 0u) through = transmittance_prob(paths->transmittance[suffix].of[which]);
 
         Connection connection;
         if (((open | panes) >> which & 1u) != 0u && !(through < 0.0f) &&
             connection_ends(paths, &prefix, suffix, &connection)) {
-            if (which == m) pdf = connection.cosine * K_INV_PI / prefix.own;
+            if (which == finder) pdf = connection.cosine * K_INV_PI / prefix.own;
             else pdf = diffuse_pdf(s, par, &prefix.mixture, prefix.p, prefix.n, connection.dir);
             pdf = pdf * connection.per_area * through;
             contribution = connection.cosine * K_INV_PI * connection.per_area;
@@ -212,10 +212,11 @@ FN void path_normalise_mis(TABLES(const Paths) paths, uint path) {
     write4_(paths->suffix_rad, path, suffix_rad_words(weighted, radiance.path_length));
 }
 
-// Contribution of a suffix vertex, of member m, to the prefix vertex of member `which`, with the panes between them.
-FN float3 connection_weight(TABLES(const Paths) paths, UNIFORM uint suffix, UNIFORM uint m, uint which) {
+// Contribution of a suffix vertex to the prefix vertex of member `which`, with the panes between them; finder:
+// REUSE_FINDER.
+FN float3 connection_weight(TABLES(const Paths) paths, UNIFORM uint suffix, UNIFORM uint finder, uint which) {
     float3 T = F3(1.0f, 1.0f, 1.0f);
-    if ((connections_to_attenuate(paths->connections[suffix], m) >> which & 1u) != 0u)
+    if ((connections_to_attenuate(paths->connections[suffix], finder) >> which & 1u) != 0u)
         T = xyz4(paths->transmittance[suffix].of[which]);
     return scale3(T, paths->contribution[suffix].of[which]);
 }

@@ -27,7 +27,26 @@ FN void path_end_in_sky(TABLES(const Paths) paths, PRIVATE(const Vertex) vertex)
     write4_(paths->sky_share, vertex->path, sky_share_words(share, 0u));
 }
 
+// Returns 1 if the path ends here, at a suffix vertex: what it reflects diffusely is found by a pass in which it is a
+// sensor (render/hour_factors.h), and shares paths again.
+FN int ends_in_gather(PARAMS(const Params) par, PRIVATE(const Vertex) vertex, PRIVATE(const LobeSample) lobe) {
+    return (par->flags & PF_GATHERS) != 0u && vertex->at_suffix && lobe->type == SAMPLE_DIFFUSE_R &&
+           dot3(vertex->g.n, vertex->g.ng) > 0.99999f;
+}
+
+FN void path_end_in_gather(TABLES(const Paths) paths, PRIVATE(const Vertex) vertex, PRIVATE(const LobeSample) lobe) {
+    PRIVATE(const Surface) g = &vertex->g;
+    uint path = vertex->path;
+    float3 reflectance = scale3(lobe->color, lobe->total / MAX_(lobe->prob, 1e-30f));
+    write4_(paths->sky_way, path, sky_way_words(g->ng, SKY_GATHERS));
+    write4_(paths->sky_share, path, sky_share_words(reflectance, 0u));
+    write4_(paths->org, path, org_words(offset_ray(g->p, g->ng, g->rounding), vertex->clip_before));
+    vertex_store(paths, vertex, vertex->path_length_start);
+}
+
 #ifndef LUX_LANES
+ROW(suffix_share, rgb, float, pdf)  // pdf: with which the path's prefix vertex would have found the suffix vertex
+
 // The vertex that path_shade() will shade, with its lobes; changes nothing of the path.  Returns 1 if suns may light
 // it.
 FN int sun_vertex(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths, uint path,
@@ -96,9 +115,9 @@ FN SunSampling sun_sampling(PARAMS(const Params) par, PRIVATE(const Vertex) vert
     return sampling;
 }
 
-// Toward that place of a sun; its half axes are as long as the tangent of its radius.
+// Toward that place of a sun, not unit; its half axes are as long as the tangent of its radius.
 FN float3 sun_way(GLOBAL const Source* sun, float2 place) {
-    return unit3(madd3(f3_of(sun->u), place.x, madd3(f3_of(sun->v), place.y, f3_of(sun->centre))));
+    return madd3(f3_of(sun->u), place.x, madd3(f3_of(sun->v), place.y, f3_of(sun->centre)));
 }
 
 // Where shadow rays begin.
@@ -153,14 +172,14 @@ FN void path_sun(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(
     else *own = rest;
 }
 
-// Share of the outgoing light of the suffix vertex of member m that reaches the film by the path of member `which`;
-// after path_gather().
-FN float3 path_share_of_suffix(TABLES(const Paths) paths, uint first, uint m, uint which) {
-    uint path = REUSE_MEMBER(first, which), suffix = REUSE_MEMBER(first, m);
+// What a path gets of the outgoing light of member m of the group that its own meets in this round, before the weight
+// of that suffix vertex; after path_connect().
+FN float4 path_share_of_suffix(PARAMS(const Params) par, TABLES(const Paths) paths, uint path, uint m) {
+    uint suffix = reuse_member(REUSE_MET(par, path), m), which = reuse_which(path);
     if (prefix_n_own(paths->prefix_n[path]) == NO_PREFIX || !CONNECTS_SUFFIX(paths, suffix))
-        return F3(0.0f, 0.0f, 0.0f);
-    float3 weight = scale3(connection_weight(paths, suffix, m, which), suffix_mis_weight(paths, suffix));
-    return mul3(xyz4(paths->prefix_throughput[path]), weight);
+        return suffix_share_words(F3(0.0f, 0.0f, 0.0f), 0.0f);
+    float3 weight = connection_weight(paths, suffix, REUSE_FINDER(par, m), which);
+    return suffix_share_words(mul3(xyz4(paths->prefix_throughput[path]), weight), paths->pdf[suffix].of[which]);
 }
 #endif
 #endif

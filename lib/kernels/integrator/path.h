@@ -83,6 +83,12 @@ FN int path_shade(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(
         return shadow;
     }
 
+    // What lights a suffix vertex in many hours may be gathered there later.
+    if (ends_in_gather(par, &vertex, &lobe)) {
+        path_end_in_gather(paths, &vertex, &lobe);
+        return shadow;
+    }
+
     // Continues along that direction, unless a limit or Russian roulette ends the path.
     return shadow | path_continue(par, paths, &vertex, &lobe);
 }

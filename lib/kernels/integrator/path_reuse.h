@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Groups of pixels for path reuse (-sampling reuse): 16 pixels in a square of 16 x 16, every fourth pixel of every
 // fourth row, so that the members are near one another and groups interleave.  The squares move from frame to frame, or
-// their edges would show.
+// their edges would show.  Paths for many hours, whose suffix vertices cost more, have reuse_rounds groups together, a
+// power of two: in round r the prefix vertices of group g meet the suffix vertices of group g ^ r of their square.
 #ifndef LUX_PATH_REUSE_H
 #define LUX_PATH_REUSE_H
 
@@ -49,6 +50,11 @@ FN uint film_places(PARAMS(const Params) par) {
 #define REUSE_FIRST(group) ((group) / REUSE_STRIDE * REUSE_SIDE + (group) % REUSE_STRIDE)
 #define REUSE_MEMBER(first, m) \
     ((first) + (m) / REUSE_ACROSS * (REUSE_STRIDE * REUSE_SIDE) + (m) % REUSE_ACROSS * REUSE_STRIDE)
+
+// The same member of the group that this path's group meets in this round: reuse_turn is REUSE_FIRST(round).
+#define REUSE_MET(par, path) ((path) ^ (par)->reuse_turn)
+// The member of the group of prefix vertices whose own ray has found the suffix vertex of member m, if it is there.
+#define REUSE_FINDER(par, m) ((par)->reuse_turn == 0u ? (m) : REUSE_GROUP)
 
 // The same for the group of a path, and the member's number.
 FN uint reuse_first(uint path) {

@@ -74,6 +74,7 @@ PATH_STATE(PATH_MEMBERS)
 #define SKY_SUFFIX 2u  // its suffix vertex
 #define SKY_STRAIGHT 4u
 #define SKY_MIRRORED 8u  // or refracted
+#define SKY_GATHERS 16u  // no sky: the normal of the suffix vertex, where its light is gathered (PF_GATHERS)
 
 // For the connections between a suffix vertex and the prefix vertices of its group: a word each, or a transmittance
 // each.
