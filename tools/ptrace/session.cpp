@@ -93,7 +93,12 @@ void keep_files(Session& s, const scene::ReadOptions& failed) {
     s.control.watch(*files.read);
 }
 
+// "go" is an edit where the commands so far ask for a preview.
 void add_waiting(Session& s, Commands& commands) {
+    bool preview = s.run.opt.preview;
+    for (const render::Command& c : commands)
+        if (c.word != "note" && !c.reads_files()) preview = c.word == "preview";
+    s.control.set_preview(preview);
     s.control.ends_picture("");
     for (render::Command& c : s.control.take_edits()) commands.push_back(std::move(c));
 }
