@@ -7,6 +7,7 @@
 #include "flatten/pack.h"
 #include "kernels/dialect/host.h"
 #include "render/picture_place.h"
+#include "sampling/suns.h"
 
 namespace render {
 using namespace kernels;
@@ -77,7 +78,7 @@ DrawnSources find_drawn_sources(device::Device& device, const LoadedScene& scene
     const flatten::FlatScene& flat = *scene.tables;
     DrawnSources out;
     if (straight) out.straight = list_splatted_emitters(flat, tracer, view, nx, ny);
-    if (!images || scene.smooth.none()) return out;
+    if (!images || scene.smooth.none() || sampling::suns_of(flat).empty()) return out;
     SunImages found = possible_images(flat, tracer, scene.smooth, view, nx, ny);
     const device::Params marked = device::with_view(par, view_tables({out.straight, {{}, found.sources, 1}}, flat));
     if (scene.smooth.curved && !found.sources.empty())

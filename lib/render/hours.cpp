@@ -196,6 +196,17 @@ std::string why_apart(const ViewPlan& plan) {
     return "";
 }
 
+std::vector<bool> have_images(const ViewPlan& plan, const std::vector<HourSky>& hours) {
+    std::vector<bool> out(hours.size());
+    if (plan.points_room > 0 || plan.scene.smooth.planes.empty() || !plan.may_draw) return out;
+    const flatten::HostTracer tracer(*plan.scene.tables);
+    const double radius = sun_radius_deg * M_PI / 180;
+    for (size_t i = 0; i < hours.size(); i++)
+        out[i] = hours[i].sun_radiance > 0 &&
+                 shows_image(tracer, plan.scene.smooth, plan.view, plan.nx, plan.ny, hours[i].sun, radius);
+    return out;
+}
+
 std::string shared_paths(const ViewPlan& plan) { return base::hash_of(plan.fingerprint); }
 
 std::string hour_fingerprint(const ViewPlan& plan, const HourSky& h) {

@@ -28,6 +28,9 @@ void render_hours(device::Device& device, const ViewPlan& plan, const std::vecto
 
 // Empty, or why hours of this scene have to be rendered one by one.
 std::string why_apart(const ViewPlan& plan);
+// Of each hour, whether a smooth plane shows the eye its sun: an image that rays hardly find and that only a picture of
+// one hour draws.
+std::vector<bool> have_images(const ViewPlan& plan, const std::vector<HourSky>& hours);
 // Names the paths that pictures of the hours have in common (SHARED_PATHS=), besides their seed.
 std::string shared_paths(const ViewPlan& plan);
 // Of the frames of an hour.

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "render/fingerprint.h"
-#include "sampling/suns.h"
 #include "sampling/targets.h"
 
 namespace render {
@@ -53,7 +52,7 @@ LoadedScene load_scene(const scene::Scene& scene, const RenderOptions& options, 
         out.mirrors_sources = !surfaces.relays.empty();
         flat = flatten::add_distant(std::move(surfaces), scene, options, files);
         if (options.sampling != Sampling::plain) sampling::find_targets(flat, room.windows, *files.work);
-        if (!sampling::suns_of(flat).empty()) out.smooth = room.smooth;
+        out.smooth = room.smooth;
     };
     if (known && is_same(*known, options, files)) {
         light(*known, known->surfaces);

@@ -27,7 +27,7 @@ struct LoadedScene {
     std::shared_ptr<const flatten::FlatScene> tables;
     bool mirrors_sources = false;            // some of its surfaces make virtual sources
     base::Hash geometry;                     // of the fingerprint
-    sampling::SmoothSurfaces smooth;         // that may mirror its sun, if it has one
+    sampling::SmoothSurfaces smooth;         // that may mirror suns
     std::shared_ptr<const LoadedRoom> room;  // with RenderOptions::keep_room
     // By load() (setup.h):
     std::shared_ptr<const char> text;  // SceneText::id

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "flatten/pack.h"
 #include "kernels/dialect/host.h"
@@ -20,6 +21,7 @@ namespace {
 constexpr size_t MOST_PAIRED = 64;     // planes tried for two reflections
 constexpr size_t MOST_TRIED = 1024;    // discs traced before the list is made
 constexpr uint32_t TRIED_POINTS = 64;  // of each of them
+constexpr uint32_t SEEN_POINTS = 256;   // of the image of an hour's sun
 constexpr uint32_t MOST_WAYS = 16;     // at four surfaces a path can go two ways; at more, by random numbers
 constexpr uint32_t LEAST_POINTS = 256, MOST_POINTS = 4096;  // of each disc drawn
 constexpr uint32_t ENOUGH_RAYS = 1u << 18;                  // of all
@@ -48,32 +50,57 @@ public:
     bool shows_plane(const SunImages::Disc& disc, Vec3 normal) const {
         for (uint32_t k = 0; k < 9; k++) {
             const double radius2 = k == 0 ? 0 : k % 2 == 0 ? .25 : .9;
-            if (meets_plane(point_of_disc(disc, radius2, k / 8.0), normal)) return true;
+            if (place_on_plane(point_of_disc(disc, radius2, k / 8.0), normal)) return true;
+        }
+        return false;
+    }
+
+    // One that the sun lights?
+    bool shows_sun(const SunImages::Disc& disc, Vec3 normal) const {
+        for (uint32_t k = 0; k < SEEN_POINTS; k++) {
+            const Vec3 dir = point_of_disc(disc, unit_step(k, first_step), unit_step(k, second_step));
+            const auto place = place_on_plane(dir, normal);
+            if (place && !is_hidden(*place, mirrored(dir, normal))) return true;
         }
         return false;
     }
 
 private:
-    bool meets_plane(Vec3 dir, Vec3 normal) const {
-        using T = flatten::HostTracer;
+    using T = flatten::HostTracer;
+
+    bool is_hidden(Vec3 place, Vec3 to_sun) const {
+        const double off = 1e-5 * (1 + std::sqrt(dot(place - eye_, place - eye_)));
+        return tracer_.blocked(place, to_sun, off, 1e30, T::opaque);
+    }
+
+    std::optional<Vec3> place_on_plane(Vec3 dir, Vec3 normal) const {
         const double same = 1 - 4 * sampling::same_plane_rad * sampling::same_plane_rad;
         const auto is_plane = [&](const T::Found& f) { return std::fabs(dot(f.normal, normal)) > same; };
         const T::Found wall = tracer_.closest(eye_, dir, 0, 1e30, T::opaque);
-        if (wall.t >= 0 && is_plane(wall)) return true;
+        if (wall.t >= 0 && is_plane(wall)) return eye_ + dir * wall.t;
         double from = 0;
         const double to = wall.t < 0 ? 1e30 : wall.t;
         for (int i = 0; i < LAYERS && from < to; i++) {
             const T::Found pane = tracer_.closest(eye_, dir, from, to, T::transparent);
-            if (pane.t < 0) return false;
-            if (is_plane(pane)) return true;
+            if (pane.t < 0) return {};
+            if (is_plane(pane)) return eye_ + dir * pane.t;
             from = pane.t * (1 + 1e-5) + 1e-6;
         }
-        return false;
+        return {};
     }
 
     const flatten::HostTracer& tracer_;
     Vec3 eye_;
 };
+
+// Smaller than a few pixels, and in the picture.
+bool is_drawable(const SunImages::Disc& disc, const view::Projector& projector, int nx, int ny) {
+    const auto place = place_of(projector, disc.dir, nx, ny, true);
+    const double w = 2 * M_PI * disc.cap;
+    if (!place || w / place->sr * nx * ny > LARGEST_DRAWN) return false;
+    const double reach = 2 * std::sqrt(w / place->sr);  // beyond the rim no part of the disc is in the picture
+    return std::fabs(place->X - .5) <= .5 + reach && std::fabs(place->Y - .5) <= .5 + reach;
+}
 
 }  // namespace
 
@@ -86,11 +113,7 @@ SunImages possible_images(const flatten::FlatScene& scene, const flatten::HostTr
     const Look look(tracer, view.vp);
     const auto try_disc = [&](Vec3 dir, double radius, const Vec3* plane) {
         const SunImages::Disc disc{dir, 1 - std::cos(radius)};
-        const auto place = place_of(projector, dir, nx, ny, true);
-        const double w = 2 * M_PI * disc.cap;
-        if (out.discs.size() >= MOST_TRIED || !place || w / place->sr * nx * ny > LARGEST_DRAWN) return false;
-        const double reach = 2 * std::sqrt(w / place->sr);  // beyond the rim no part of the disc is in the picture
-        if (std::fabs(place->X - .5) > .5 + reach || std::fabs(place->Y - .5) > .5 + reach) return false;
+        if (out.discs.size() >= MOST_TRIED || !is_drawable(disc, projector, nx, ny)) return false;
         if (plane && !look.shows_plane(disc, *plane)) return false;
         out.discs.push_back(disc);
         return true;
@@ -113,6 +136,20 @@ SunImages possible_images(const flatten::FlatScene& scene, const flatten::HostTr
         if (any || smooth.curved) out.sources.push_back(i);
     }
     return out;
+}
+
+bool shows_image(const flatten::HostTracer& tracer, const sampling::SmoothSurfaces& smooth, const view::View& view,
+                 int nx, int ny, Vec3 sun, double radius) {
+    if (view.type == 'l') return false;
+    const view::Projector projector(view);
+    const Look look(tracer, view.vp);
+    const double cap = 1 - std::cos(radius + 2 * sampling::same_plane_rad);
+    for (size_t i = 0; i < smooth.planes.size() && i < MOST_PAIRED; i++) {
+        const Vec3& n = smooth.planes[i];
+        const SunImages::Disc disc{mirrored(sun, n), cap};
+        if (is_drawable(disc, projector, nx, ny) && look.shows_plane(disc, n) && look.shows_sun(disc, n)) return true;
+    }
+    return false;
 }
 
 void keep_lit_images(device::Device& device, const device::Params& base, const view::View& view, SunImages& images) {

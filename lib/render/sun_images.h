@@ -26,6 +26,9 @@ struct SunImages {
 // Images in planes, and all suns that may have images.
 SunImages possible_images(const flatten::FlatScene& scene, const flatten::HostTracer& tracer,
                           const sampling::SmoothSurfaces& smooth, const view::View& view, int nx, int ny);
+// Whether one of the largest smooth planes shows the eye a sun of this radius that lights it.
+bool shows_image(const flatten::HostTracer& tracer, const sampling::SmoothSurfaces& smooth, const view::View& view,
+                 int nx, int ny, base::Vec3 sun, double radius);
 // Adds images in curved surfaces: a search by halving steps, from a net of camera directions (curved_images.cpp).
 void find_curved_images(device::Device& device, const device::Params& base, const flatten::FlatScene& scene,
                         const sampling::SmoothSurfaces& smooth, const view::View& view, SunImages& images);

@@ -111,7 +111,8 @@ ViewPlan plan_view(device::Device& device, const LoadedScene& scene, const Rende
     const bool on_surface = one_eye && eye_on_surface(flat, tracer, v.view.vp);
     if (on_surface || !one_eye) par.flags |= PF_EYE_ON_SURFACE;  // its rays may begin on a surface
     // drawing needs one eye point, and straight rays no unattenuated path through glass
-    const bool drawable = !flat.sources.empty() && o.pd <= 0 && o.dv && !o.i;
+    plan.may_draw = o.pd <= 0 && o.dv && !o.i;
+    const bool drawable = plan.may_draw && !flat.sources.empty();
     plan.drawn = find_drawn_sources(device, scene, tracer, v.view, drawable && !on_surface, drawable, par);
     par = device::with_view(par, view_tables(plan.drawn, flat));
     plan.sampling = with_focus(std::move(plan.sampling), v.focus);

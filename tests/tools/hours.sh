@@ -146,5 +146,14 @@ check 'they are undecided in a year' '
 check_error 'but one that is named is an error' 1 \
     '^ptrace: y.wea:11: the direct normal irradiance of 1222_1330 is 9999 W/m2: missing, or wrong$' \
     'render -wea y.wea -hours 1222_1330 > out.str'
+check 'an hour whose sun a smooth floor shows the eye is rendered by itself, beside the others' '
+    echo "void plastic shiny 0 0 5 .2 .2 .2 .05 0 shiny polygon floor 0 0 12 -9 -9 0 9 -9 0 9 9 0 -9 9 0" > floor.rad
+    floor() { ptrace -vp 0 0 1.2 -vd 0 -1 -.2 -vta -vh 180 -vv 180 -x 16 -y 16 -frames 2 -wea y.wea "$@" floor.rad; }
+    floor > one.str 2> said; grep -q "^ptrace: 1 of 2 hours are rendered by themselves: a smooth surface shows" said
+    [ "$(strings one.str | sed -n "s/^SKYNAME=//p" | uniq | tr "\n" " ")" = \
+        "1221_0430 1221_0730 1222_1230 1222_1330 1221_1230 " ]
+    ptaccum -last -o "one_%s.exr" < one.str; floor -hours-apart -hours 1221_1230 2> said | ptaccum -last -o "by_%s.exr"
+    [ "$(mkstream differ one_1221_1230.exr by_1221_1230.exr)" = 0 ]
+    floor -vd 0 1 -.2 > other.str 2> said; ! grep -q "by themselves" said'
 check_error '-hours needs weather' 1 '^ptrace: -hours: needs a weather file: -wea$' 'render -hours Mo > out.str'
 check_error 'skies are files or hours' 1 '^ptrace: -wea: has its own skies' 'render -wea y.wea -sky y.rad > out.str'

@@ -12,11 +12,20 @@
 #include "image/header.h"
 #include "render/hours.h"
 
-void render_hours(Options opt, size_t i, device::Device& device, const render::ViewPlan& plan, Report& report) {
+std::vector<bool> render_hours(Options opt, size_t i, device::Device& device, const render::ViewPlan& plan,
+                               Report& report) {
     std::vector<render::HourSky> hours;
     std::vector<size_t> of;  // of each: its place in opt.skies
     for (size_t sky = 0; sky < opt.skies.size(); sky++)
         if (opt.skies[sky].light) hours.push_back(*opt.skies[sky].light), of.push_back(sky);
+    const size_t lit = hours.size();
+    std::vector<bool> left(opt.skies.size());
+    const std::vector<bool> alone = render::have_images(plan, hours);
+    for (size_t k = lit; k-- > 0;)
+        if (alone[k]) left[of[k]] = true, hours.erase(hours.begin() + long(k)), of.erase(of.begin() + long(k));
+    if (hours.size() < lit)
+        base::say(fmt::format("ptrace: {} of {} hours are rendered by themselves: a smooth surface shows the eye their "
+                              "sun", lit - hours.size(), lit));
 
     const std::string shared = render::shared_paths(plan);
     size_t next = 0;  // of opt.skies
@@ -68,4 +77,5 @@ void render_hours(Options opt, size_t i, device::Device& device, const render::V
         render::render_hours(device, plan, hours, wanted, give);
     } catch (const device::Cancelled&) {}  // a signal, before the first hour
     if (!base::shutdown_requested()) dark_ones_before(opt.skies.size());
+    return left;
 }

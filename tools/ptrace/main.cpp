@@ -69,35 +69,40 @@ void render_dark(const Options& opt, const Sky& sky) {
     }
 }
 
-// The hours of -wea together.  Returns false if they are to be rendered one by one.
-bool render_together(Session& s) {
+// Of each view, whether its picture under each sky is to be rendered by itself.
+using Left = std::vector<std::vector<bool>>;
+
+// Renders the hours of -wea together where it can.
+Left render_together(Session& s) {
     const Options& opt = s.run.opt;
-    if (!why_apart(opt).empty()) return false;
+    Left left(std::max<size_t>(opt.views.size(), 1), std::vector<bool>(std::max<size_t>(opt.skies.size(), 1), true));
+    if (only_rule(opt) || !why_apart(opt).empty()) return left;
     if (std::none_of(opt.skies.begin(), opt.skies.end(), [](const Sky& sky) { return sky.light.has_value(); }))
-        return false;
+        return left;
     s.text = render::with_sky(render::read_room(opt.scene_files, opt.files, false), opt.mean_sky, opt.files);
     s.device = start(opt.device);
     plan_first(s, {}, 0);
     if (const std::string why = render::why_apart(s.plan); !why.empty()) {
         base::say("ptrace: each hour is rendered by itself: " + why);
         s.plan = {};
-        return false;
+        return left;
     }
     if (!opt.rule_for.empty()) write_rule(opt);
     base::finish_on_signal();
     for (size_t i = 0; i < opt.views.size() && !base::shutdown_requested(); ++i) {
         if (i > 0) plan_first(s, {}, i);
-        render_hours(opt, i, *s.device, s.plan, s.report);
+        left[i] = render_hours(opt, i, *s.device, s.plan, s.report);
     }
-    return true;
+    s.plan = {};
+    return left;
 }
 
-// Loads the room with this sky.  left: what the room left of the budget.  Returns true if something may give light.
-bool load_under(Session& s, const Sky& sky, const base::WorkBudget& left, bool last) {
+// Loads the room with this sky.  budget: what the room left of it.  Returns true if something may give light.
+bool load_under(Session& s, const Sky& sky, const base::WorkBudget& budget, bool last) {
     const Options& opt = s.run.opt;
     base::Progress progress("ptrace");
     render::Setup setup = setup_of(opt, 0, progress);
-    setup.reading.work = std::make_shared<base::WorkBudget>(left);
+    setup.reading.work = std::make_shared<base::WorkBudget>(budget);
     s.text = render::with_sky(std::move(s.text), sky.file, setup.reading);
     const bool is_first = !s.plan.scene.tables;
     s.plan.scene = render::load(*s.device, s.text, setup, s.plan.scene);
@@ -112,14 +117,19 @@ int render_all(Options options) {
     Session s(std::move(options));
     choose_focus(s.run.opt);
     const Options& opt = s.run.opt;
-    if (!only_rule(opt) && render_together(s)) return 0;
+    const Left left = render_together(s);
+    const auto is_whole = [](const std::vector<bool>& v) { return std::find(v.begin(), v.end(), false) == v.end(); };
+    const bool all = std::all_of(left.begin(), left.end(), is_whole);
     const std::vector<Sky> skies = opt.skies.empty() ? std::vector<Sky>(1) : opt.skies;
     s.run.opt.render.keep_room = is_live(opt) || skies.size() > 1;
     s.text = render::read_room(opt.scene_files, opt.files, opt.render.keep_room);
-    const base::WorkBudget left = *opt.files.work;
+    const base::WorkBudget budget = *opt.files.work;
     for (const Sky& sky : skies) {
         const bool last = &sky == &skies.back();
         if (base::shutdown_requested()) break;
+        const auto is_left = [&, k = size_t(&sky - skies.data())](const auto& view) { return view[k]; };
+        const size_t first_view = size_t(std::find_if(left.begin(), left.end(), is_left) - left.begin());
+        if (first_view == left.size()) continue;
         if (sky.seed) s.run.opt.render.seed = *sky.seed;
         if (sky.is_black() && !only_rule(opt)) {
             if (!opt.rule_for.empty() && last) write_rule(opt);
@@ -132,19 +142,20 @@ int render_all(Options options) {
             if (is_live(opt)) s.device->heed(&s.control.wish());
             s.control.answer_with([&s](const std::string& words) { answer_what(s, words); });
         }
-        const bool has_light = load_under(s, sky, left, last), is_first = s.plan.fingerprint.empty();
-        if (!opt.rule_for.empty() && last) write_rule(opt);
+        const bool has_light = load_under(s, sky, budget, last), is_first = s.plan.fingerprint.empty();
+        if (!opt.rule_for.empty() && last && all) write_rule(opt);
         if (only_rule(opt)) continue;
         if (is_first && !has_light) base::warn("scene", "none of its materials gives light: is the sky missing?");
         s.control.watch(*opt.files.read);
-        plan_first(s, sky, 0);
+        plan_first(s, sky, first_view);
         if (opt.pixel) return write_pixel(opt, *s.device, s.plan, s.text.scene), 0;
         if (opt.output.empty() && !opt.one_picture && base::stdout_is_file() && &sky == &skies.front())
             base::warn("stdout",
                        "writing frames to a file, which only luxpipe can read; \"| ptaccum -last >\" makes a picture");
         base::finish_on_signal();
-        for (size_t i = 0; i < opt.views.size() && !base::shutdown_requested(); ++i) {
-            if (i > 0) plan_first(s, sky, i);
+        for (size_t i = first_view; i < opt.views.size() && !base::shutdown_requested(); ++i) {
+            if (!is_left(left[i])) continue;
+            if (i > first_view) plan_first(s, sky, i);
             render_view(s, sky, i, last && i + 1 == opt.views.size());
         }
     }
