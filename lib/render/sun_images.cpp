@@ -21,7 +21,7 @@ namespace {
 constexpr size_t MOST_PAIRED = 64;     // planes tried for two reflections
 constexpr size_t MOST_TRIED = 1024;    // discs traced before the list is made
 constexpr uint32_t TRIED_POINTS = 64;  // of each of them
-constexpr uint32_t SEEN_POINTS = 256;   // of the image of an hour's sun
+constexpr uint32_t SEEN_POINTS = 256;  // of the image of an hour's sun
 constexpr uint32_t MOST_WAYS = 16;     // at four surfaces a path can go two ways; at more, by random numbers
 constexpr uint32_t LEAST_POINTS = 256, MOST_POINTS = 4096;  // of each disc drawn
 constexpr uint32_t ENOUGH_RAYS = 1u << 18;                  // of all

@@ -24,8 +24,10 @@ std::vector<bool> render_hours(Options opt, size_t i, device::Device& device, co
     for (size_t k = lit; k-- > 0;)
         if (alone[k]) left[of[k]] = true, hours.erase(hours.begin() + long(k)), of.erase(of.begin() + long(k));
     if (hours.size() < lit)
-        base::say(fmt::format("ptrace: {} of {} hours are rendered by themselves: a smooth surface shows the eye their "
-                              "sun", lit - hours.size(), lit));
+        base::say(
+            fmt::format("ptrace: {} of {} hours are rendered by themselves: a smooth surface shows the eye their "
+                        "sun",
+                        lit - hours.size(), lit));
 
     const std::string shared = render::shared_paths(plan);
     size_t next = 0;  // of opt.skies
