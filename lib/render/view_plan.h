@@ -30,7 +30,7 @@ struct ViewPlan {
     view::View view;
     int nx = 0, ny = 0;      // of the picture
     PixelSampling sampling;  // with the focus; diffuse directions by the cosine alone
-    bool may_draw = false;  // its options let sources be drawn by area
+    bool may_draw = false;   // its options let sources be drawn by area
     DrawnSources drawn;
     PointLayout points;            // of a picture of points; else empty
     size_t points_room = 0;        // pixels of that picture; 0: of a view
