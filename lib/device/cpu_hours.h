@@ -89,11 +89,13 @@ struct HoursBackend : TileBackend<STAGES> {
         SunVertices v;
         const Tile& t = Base::t;
         for (uint32_t i = 0; i < t.n; i++) {
-            if (!sun_vertex(t.s, &t.par, &t.paths, t.now[i], &v.vertex[v.count])) continue;
-            v.count++;
-            const bool more = (t.par.flags & PF_ASKS) != 0u && v.count < PACKET && i + 1 < t.n &&
-                              focus_entry(t.s, &t.par, t.now[i]) == focus_entry(t.s, &t.par, t.now[i + 1]);
-            if (!more) ask_suns(t, centres, v, found);
+            // Vertices of a packet have the suns of one pixel.
+            const auto joins = [&] {
+                return (t.par.flags & PF_ASKS) != 0u && v.count < PACKET &&
+                       focus_entry(t.s, &t.par, v.vertex[0].path) == focus_entry(t.s, &t.par, t.now[i]);
+            };
+            if (v.count > 0 && !joins()) ask_suns(t, centres, v, found);
+            if (sun_vertex(t.s, &t.par, &t.paths, t.now[i], &v.vertex[v.count])) v.count++;
         }
         ask_suns(t, centres, v, found);
         Base::shade();

@@ -33,7 +33,7 @@ uint32_t features_of_scene(const FlatScene& scene) {
            (scene.trees.size() > 1 ? FEATURE_INSTANCES : 0);
 }
 
-uint32_t features_of_pass(const Params& par) {
+uint32_t features_of_pass(const kernels::Params& par) {
     return path_media_used(&par) || aims_shadows(&par) ? FEATURE_SOLIDS : 0;
 }
 

@@ -18,7 +18,10 @@ public:
     Live(const Live&) = delete;
     void on_change(std::function<void()> changed) { changed_ = std::move(changed); }  // called without the lock
     // Carries out ToPipe and Start, with the lock.
-    void on_effect(std::function<void(const Effect&)> carry) { carry_ = std::move(carry); }
+    void on_effect(std::function<void(const Effect&)> carry) {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        carry_ = std::move(carry);
+    }
     void set_against(std::string file) { against_ = std::move(file); }  // vcmetrics reads it
 
     // Before anything else happens: what was known before.

@@ -155,5 +155,11 @@ check 'an hour whose sun a smooth floor shows the eye is rendered by itself, bes
     ptaccum -last -o "one_%s.exr" < one.str; floor -hours-apart -hours 1221_1230 2> said | ptaccum -last -o "by_%s.exr"
     [ "$(mkstream differ one_1221_1230.exr by_1221_1230.exr)" = 0 ]
     floor -vd 0 1 -.2 > other.str 2> said; ! grep -q "by themselves" said'
+check 'moments have the same bits by one thread and by many' '
+    { head -n 6 y.wea; for m in 1 3 5 6 9 11 12; do for h in 8.5 9.5 11.5 13.5 15.5; do
+        echo "$m 21 $h 700 90"; done; done; } > many.wea
+    for n in 1 7; do LUXPIPE_THREADS=$n ptrace -vf $office/view.vf -x 33 -y 33 -frames 1 -wea many.wea $scene; done \
+        2> said > both.str
+    head -c $(($(wc -c < both.str) / 2)) both.str | cmp - <(tail -c $(($(wc -c < both.str) / 2)) both.str)'
 check_error '-hours needs weather' 1 '^ptrace: -hours: needs a weather file: -wea$' 'render -hours Mo > out.str'
 check_error 'skies are files or hours' 1 '^ptrace: -wea: has its own skies' 'render -wea y.wea -sky y.rad > out.str'

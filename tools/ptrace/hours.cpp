@@ -78,6 +78,7 @@ std::vector<bool> render_hours(Options opt, size_t i, device::Device& device, co
     try {
         render::render_hours(device, plan, hours, wanted, give);
     } catch (const device::Cancelled&) {}  // a signal, before the first hour
+    if (opt.one_picture && !sum.empty()) write_sum(opt, sum, image::label(picture.header));  // of an hour cut off
     if (!base::shutdown_requested()) dark_ones_before(opt.skies.size());
     return left;
 }

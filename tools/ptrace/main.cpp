@@ -120,6 +120,8 @@ int render_all(Options options) {
     const Left left = render_together(s);
     const auto is_whole = [](const std::vector<bool>& v) { return std::find(v.begin(), v.end(), false) == v.end(); };
     const bool all = std::all_of(left.begin(), left.end(), is_whole);
+    const auto is_done = [](const std::vector<bool>& v) { return std::find(v.begin(), v.end(), true) == v.end(); };
+    if (base::shutdown_requested() || std::all_of(left.begin(), left.end(), is_done)) return 0;
     const std::vector<Sky> skies = opt.skies.empty() ? std::vector<Sky>(1) : opt.skies;
     s.run.opt.render.keep_room = is_live(opt) || skies.size() > 1;
     s.text = render::read_room(opt.scene_files, opt.files, opt.render.keep_room);

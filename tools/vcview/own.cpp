@@ -132,6 +132,7 @@ int show_scene(Options options) {
     wake.wait();
     base::leave_stdout();
     server.reset();
+    page.on_effect({});  // what the last rows ask for comes too late
     for (auto& one : programs) one.reset();
     return page.state().ended.value_or(0);
 }
