@@ -24,6 +24,8 @@ inline double luminance(const float* rgb) {
     return lumens_per_watt * (w[0] * rgb[0] + w[1] * rgb[1] + w[2] * rgb[2]);
 }
 
+constexpr const char* no_shared_paths = "-";  // of an hour by itself among others that share their paths
+
 struct Header {
     std::vector<std::string> lines;  // history: every line not in the fields below, in order
     std::optional<view::View> view;  // from VIEW= and program lines (spec formats 1, glare 1.4)

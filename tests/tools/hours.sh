@@ -154,6 +154,9 @@ check 'an hour whose sun a smooth floor shows the eye is rendered by itself, bes
         "1221_0430 1221_0730 1222_1230 1222_1330 1221_1230 " ]
     ptaccum -last -o "one_%s.exr" < one.str; floor -hours-apart -hours 1221_1230 2> said | ptaccum -last -o "by_%s.exr"
     [ "$(mkstream differ one_1221_1230.exr by_1221_1230.exr)" = 0 ]
+    table() { ptaccum -every x2/8 | vcmetrics -metrics Ev,DGPf,DGP.px,DGPf.px,pixels -ci 95; }
+    floor -frames 9 2> said | table > t.tsv; vcyear t.tsv > year; grep -q "^hours     5, 2 dark" year
+    floor -frames 9 -hours 1221_1230 2> said | table | head -n 1 | cmp - <(head -n 1 t.tsv)
     floor -vd 0 1 -.2 > other.str 2> said; ! grep -q "by themselves" said'
 check 'moments have the same bits by one thread and by many' '
     { head -n 6 y.wea; for m in 1 3 5 6 9 11 12; do for h in 8.5 9.5 11.5 13.5 15.5; do

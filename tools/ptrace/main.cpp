@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 
 #include "base/error.h"
 #include "base/failed_before.h"
@@ -72,21 +73,25 @@ void render_dark(const Options& opt, const Sky& sky) {
 // Of each view, whether its picture under each sky is to be rendered by itself.
 using Left = std::vector<std::vector<bool>>;
 
-// Renders the hours of -wea together where it can.
-Left render_together(Session& s) {
+Left all_pictures(const Options& opt) {
+    return Left(std::max<size_t>(opt.views.size(), 1), std::vector<bool>(std::max<size_t>(opt.skies.size(), 1), true));
+}
+
+// Renders the hours of -wea together, and returns what is left; nothing if this run has none to be rendered so.
+std::optional<Left> render_together(Session& s) {
     const Options& opt = s.run.opt;
-    Left left(std::max<size_t>(opt.views.size(), 1), std::vector<bool>(std::max<size_t>(opt.skies.size(), 1), true));
-    if (only_rule(opt) || !why_apart(opt).empty()) return left;
+    if (only_rule(opt) || !why_apart(opt).empty()) return {};
     if (std::none_of(opt.skies.begin(), opt.skies.end(), [](const Sky& sky) { return sky.light.has_value(); }))
-        return left;
+        return {};
     s.text = render::with_sky(render::read_room(opt.scene_files, opt.files, false), opt.mean_sky, opt.files);
     s.device = start(opt.device);
     plan_first(s, {}, 0);
     if (const std::string why = render::why_apart(s.plan); !why.empty()) {
         base::say("ptrace: each hour is rendered by itself: " + why);
         s.plan = {};
-        return left;
+        return {};
     }
+    Left left = all_pictures(opt);
     if (!opt.rule_for.empty()) write_rule(opt);
     base::finish_on_signal();
     for (size_t i = 0; i < opt.views.size() && !base::shutdown_requested(); ++i) {
@@ -117,12 +122,12 @@ int render_all(Options options) {
     Session s(std::move(options));
     choose_focus(s.run.opt);
     const Options& opt = s.run.opt;
-    const Left left = render_together(s);
-    const auto is_whole = [](const std::vector<bool>& v) { return std::find(v.begin(), v.end(), false) == v.end(); };
-    const bool all = std::all_of(left.begin(), left.end(), is_whole);
+    const std::optional<Left> of_together = render_together(s);
+    const Left left = of_together ? *of_together : all_pictures(opt);
     const auto is_done = [](const std::vector<bool>& v) { return std::find(v.begin(), v.end(), true) == v.end(); };
     if (base::shutdown_requested() || std::all_of(left.begin(), left.end(), is_done)) return 0;
-    const std::vector<Sky> skies = opt.skies.empty() ? std::vector<Sky>(1) : opt.skies;
+    std::vector<Sky> skies = opt.skies.empty() ? std::vector<Sky>(1) : opt.skies;
+    for (Sky& sky : skies) sky.beside_shared = of_together.has_value();
     s.run.opt.render.keep_room = is_live(opt) || skies.size() > 1;
     s.text = render::read_room(opt.scene_files, opt.files, opt.render.keep_room);
     const base::WorkBudget budget = *opt.files.work;
@@ -145,7 +150,7 @@ int render_all(Options options) {
             s.control.answer_with([&s](const std::string& words) { answer_what(s, words); });
         }
         const bool has_light = load_under(s, sky, budget, last), is_first = s.plan.fingerprint.empty();
-        if (!opt.rule_for.empty() && last && all) write_rule(opt);
+        if (!opt.rule_for.empty() && last && !of_together) write_rule(opt);
         if (only_rule(opt)) continue;
         if (is_first && !has_light) base::warn("scene", "none of its materials gives light: is the sky missing?");
         s.control.watch(*opt.files.read);

@@ -17,6 +17,8 @@ struct Sky {
     std::vector<std::string> lines;  // of its header
     std::optional<render::HourSky> light = {};  // of an hour that is not dark
 
+    bool beside_shared = false;  // rendered by itself, in a run whose other hours share their paths
+
     bool is_black() const { return dark || !unknown.empty(); }  // nothing is rendered
 };
 

@@ -11,7 +11,7 @@ bool prints_halves(const Options& o, const image::Header& h) {
 
 std::string paths_of(const image::Header& h) {
     constexpr size_t digits = 8;  // rows of a table are many, the runs in it few
-    if (h.shared_paths.empty()) return "";
+    if (h.shared_paths.empty() || h.shared_paths == image::no_shared_paths) return h.shared_paths;
     base::Hash hash;
     hash.add_all(h.shared_paths);
     hash.add({h.seed.value_or(0), uint64_t(h.frames.value_or(0))});
