@@ -25,8 +25,8 @@ check 'a region that is drawn has a column and stays' '
 # Of the picture: the day has programs of the same names, and which of them began first is a matter of speed.
 of_day() { tr "\\0" " " < /proc/$1/cmdline | grep -qE " -w- -frames 9 | -every 1 | -metrics Ev,DGPf -ci 95 "; }
 kill_program() {
-    { echo "$live vcview"; below $live; } | while read -r child name; do
-        if [ $name = $1 ] && ! of_day $child; then kill -9 $child; break; fi
+    for child in $({ echo "$live vcview"; below $live; } | awk -v name=$1 '$2 == name { print $1 }'); do
+        of_day $child || { kill -9 $child; return; }
     done
 }
 check 'where vcview is killed all end, also while nothing is rendered' '

@@ -43,10 +43,12 @@ export class Sliders {
   // The file as it is on the disk, and the text that stands for it.
   async fetch(one) {
     try {
-      await one.file.read();
       const answer = await ask(`/overlay?n=${one.file.n}`);
-      one.text = answer.status === 200 ? await text_of(answer, one.file.name) : one.file.text;
+      await one.file.read();  // second, so that the version is never newer than the text
+      const stands = answer.status === 200;
+      one.text = stands ? await text_of(answer, one.file.name) : one.file.text;
       one.version = Number(tag_of(answer));
+      if (!stands || one.base === undefined) one.base = one.file.text;
     } catch (e) { return this.say(e.message); }
     one.sent = one.rested = one.text;
   }
@@ -143,8 +145,9 @@ export class Sliders {
 
   async save() {
     const one = this.now;
-    let known;  // the file's text before this, which another save may have written
-    const said = await one.file.save((text) => text === (known ??= text) ? one.text : null);
+    // Only over what was shown as the file's, or was written by another save of ours.
+    const is_ours = (text) => text === one.base || text === one.written;
+    const said = await one.file.save((text) => is_ours(text) ? one.written = one.text : null);
     this.say(said === 'conflict' ? `${one.file.name} was changed by another program meanwhile and is as that program left it.`
       : said || `${one.file.name} is saved`);
     this.mark();
