@@ -76,3 +76,14 @@ check_error() {
     elif ! grep -qE -e "$3" .stderr; then report bad "$1" "stderr does not match $3, of: $4"
     else report ok "$1"; fi
 }
+
+# build_commands BUILD TARGET: ninja's commands, with one for each source that a file of a unity build includes.
+build_commands() {
+    command ninja -C "$1" -t commands "$2" > .commands || return
+    sed -n 's|.* -c \([^ ]*/unity_[0-9]*_cxx.cxx\)$|\1|p' .commands | while read -r unity; do
+        sed -n 's|^#include "\(.*[.]cpp\)"$|\1|p' "$unity" | while read -r source; do
+            sed -n "s| -c $unity\$| -c $source|p" .commands
+        done
+    done
+    cat .commands
+}

@@ -25,8 +25,6 @@
 
 namespace image {
 
-namespace {
-
 // A file by its descriptor, so that it is opened once and by base::open_file().
 class DescriptorIn : public Imf::IStream {
 public:
@@ -55,8 +53,6 @@ private:
     int fd_;
     uint64_t at_ = 0;
 };
-
-}  // namespace
 
 struct ExrInput::File {
     DescriptorIn bytes;

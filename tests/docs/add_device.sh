@@ -98,7 +98,7 @@ check 'the files that were touched are those of the recipe, and no others' '
     recipe | sed "s/NAME/serial/" | sort | diff - touched'
 
 # The build's own commands, with the sources of the copy.  compile FILE AS: as the build compiles the file AS.
-command ninja -C "$build" -t commands bits_test > commands
+build_commands "$build" bits_test > commands
 compile() {
     sed -n "s|^[^ ]*ccache ||; s| -MD -MT [^ ]* -MF [^ ]*||; s| -o [^ ]*| -o $PWD/$(basename "$1").o|
         s|$TOP/lib|$PWD/tree/lib|g; s|$2|$1|g; \| -c .*$1\$|p" commands | tail -1 > command
@@ -109,7 +109,7 @@ check 'its files compile' '
     compile render/make_device.cpp render/make_device.cpp'
 check 'a program links with them' '
     tail -1 commands |
-        sed "s| -o bin/bits_test | $PWD/serial_device.cpp.o $PWD/make_device.cpp.o -o $PWD/bits |" > command
+        sed "s| -o bin/bits_test | $PWD/serial_device.cpp.o $PWD/make_device.cpp.o -Wl,-z,muldefs -o $PWD/bits |" > command
     (cd "$build" && bash -e "$TMP/command")'
 check 'its frames are those of the processor, bit by bit' '
     ./bits serial gallery_east many_lamps every > said && grep -q "3 rows on serial, 0 moved" said'

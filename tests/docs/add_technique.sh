@@ -178,7 +178,7 @@ TEST_CASE("no bias") {
     CHECK(std::abs(difference) < 4 * error);
 }
 END
-command ninja -C "$build" -t commands path_reuse_test > commands
+build_commands "$build" path_reuse_test > commands
 # compile TREE FILE AS: FILE of the copy, or of this folder, as the build compiles AS, kernels alone with optimisation.
 compile() {
     local level=-O0
@@ -188,7 +188,7 @@ compile() {
     [ -s command ] && (cd "$build" && bash -e "$TMP/command")
 }
 link() {
-    tail -1 commands | sed "s|^[^ ]* && ||; s| -o bin/path_reuse_test | $PWD/$1/*.cpp.o -o $PWD/$1/bias |
+    tail -1 commands | sed "s|^[^ ]* && ||; s| -o bin/path_reuse_test | $PWD/$1/*.cpp.o -Wl,-z,muldefs -o $PWD/$1/bias |
         s| [^ ]*/path_reuse_test.cpp.o||; s| && :||" > command
     (cd "$build" && bash -e "$TMP/command")
 }
