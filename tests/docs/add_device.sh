@@ -108,8 +108,8 @@ check 'its files compile' '
     compile device/serial_device.cpp device/cpu_device.cpp
     compile render/make_device.cpp render/make_device.cpp'
 check 'a program links with them' '
-    tail -1 commands |
-        sed "s| -o bin/bits_test | $PWD/serial_device.cpp.o $PWD/make_device.cpp.o -Wl,-z,muldefs -o $PWD/bits |" > command
+    objects="$PWD/serial_device.cpp.o $PWD/make_device.cpp.o"
+    tail -1 commands | sed "s| -o bin/bits_test | $objects -Wl,-z,muldefs -o $PWD/bits |" > command
     (cd "$build" && bash -e "$TMP/command")'
 check 'its frames are those of the processor, bit by bit' '
     ./bits serial gallery_east many_lamps every > said && grep -q "3 rows on serial, 0 moved" said'
