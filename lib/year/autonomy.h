@@ -1,12 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The results of a year of hours for the sensors of a grid, with intervals.  Where hours have paths of their own a
-// sensor's errors are independent from hour to hour, so that its number of hours is a Poisson-binomial count
-// (uncertainty/counts.h); where hours share them it is counted in half-samples (uncertainty/shared_counts.h).
-//
-// Errors of different sensors have a part in common: a mean over sensors, or a share of them, is counted in
-// half-samples in both cases.  Limits are at least those of independent sensors, and at most the means of their limits
-// or the shares at their limits, which hold for any correlation that errors of light can have and are the limits of
-// tables without half-samples.
+// The results of a year of hours for the sensors of a grid, with the intervals of sensor_counts.h.
 #pragma once
 #include <array>
 #include <optional>

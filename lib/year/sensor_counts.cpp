@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// See sensor_counts.h.
+#include "year/sensor_counts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace year {
+
+using uncertainty::half_samples;
+using uncertainty::Interval;
+
+std::vector<size_t> all_hours(const Grid& grid) {
+    std::vector<size_t> which(grid.hours.size());
+    std::iota(which.begin(), which.end(), size_t(0));
+    return which;
+}
+
+SensorHours hours_of(const Grid& grid, const std::vector<size_t>& which, size_t sensor) {
+    SensorHours hours;
+    hours.shared = grid.shared, hours.strata = grid.strata;
+    for (const size_t i : which) {
+        const GridHour& h = grid.hours[i];
+        const Lux& e = h.sensors[sensor];
+        if (std::isnan(e.value)) {
+            ++hours.missing;
+            continue;
+        }
+        hours.known.push_back({{double(e.value), double(e.error), 0, 0, h.degrees}, {}});
+        if (grid.strata > 0 && !h.halves.empty()) hours.known.back().off = uncertainty::off(h.halves[sensor]);
+    }
+    return hours;
+}
+
+Number count(const SensorHours& hours, double from, double to, double alpha, double scale) {
+    Number n;
+    n.images = uncertainty::counts_within(hours.known, from, to);
+    const Interval i = hours.shared ? uncertainty::count_within(hours.known, n.images, hours.strata, from, to, alpha)
+                                    : uncertainty::count_within(uncertainty::apart(hours.known), from, to, alpha);
+    n.limits = {scale * n.images.whole, scale * i.low, scale * (i.high + double(hours.missing))};
+    n.images.whole *= scale;
+    for (double& h : n.images.halves) h *= scale;
+    return n;
+}
+
+Number reached(const Number& n, double least) {
+    Number out;
+    out.limits = {double(n.limits.value >= least), double(n.limits.low >= least), double(n.limits.high >= least)};
+    out.images.whole = n.images.whole >= least;
+    for (size_t k = 0; k < half_samples; ++k) out.images.halves[k] = n.images.halves[k] >= least;
+    return out;
+}
+
+// The limits by half-samples, not narrower than those of independent sensors and not wider than if all err alike;
+// these where half-samples do not tell all.
+Bounded mean(const std::vector<Number>& sensors, double strata, double alpha) {
+    Bounded outer;              // if all sensors err alike
+    double down2 = 0, up2 = 0;  // squares of the distances of the limits if they err independently
+    uncertainty::Images images;
+    const double share = 1 / double(sensors.size());
+    for (const Number& n : sensors) {
+        const Bounded& b = n.limits;
+        outer.value += share * b.value, outer.low += share * b.low, outer.high += share * b.high;
+        down2 += std::pow(share * (b.value - b.low), 2), up2 += std::pow(share * (b.high - b.value), 2);
+        images.whole += share * n.images.whole;
+        for (size_t k = 0; k < half_samples; ++k) images.halves[k] += share * n.images.halves[k];
+    }
+    if (!(strata > 0)) return outer;
+    const Interval by_halves = uncertainty::limits_of(images, strata, alpha);
+    const double low = std::min(by_halves.low, outer.value - std::sqrt(down2)),
+                 high = std::max(by_halves.high, outer.value + std::sqrt(up2));
+    return {outer.value, std::max(outer.low, low), std::min(outer.high, high)};
+}
+
+double strata_over(const Grid& grid, const std::vector<size_t>& which) {
+    const bool is_whole = std::none_of(which.begin(), which.end(), [&](size_t i) { return is_missing(grid.hours[i]); });
+    return is_whole ? grid.strata : 0;
+}
+
+}  // namespace year
