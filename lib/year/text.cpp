@@ -16,12 +16,6 @@ std::string count_text(const Bounded& n) {
                            : fmt::format("{:.0f} ({:.0f} to {:.0f})", n.value, n.low, n.high);
 }
 
-std::string percent_text(const Bounded& s) {
-    std::string text = fmt::format("{:.1f} %", 100 * s.value);
-    if (s.low < s.high) text += fmt::format(" ({:.1f} to {:.1f})", 100 * s.low, 100 * s.high);
-    return text;
-}
-
 std::string class_text(const Verdict& v) {
     if (v.best == v.worst) return class_name(v.best);
     return fmt::format("undecided: {} to {}", class_name(v.best), class_name(v.worst));
@@ -55,6 +49,12 @@ void add_useful(report::Line& line, const Useful& u) {
 }
 
 }  // namespace
+
+std::string percent_text(const Bounded& s) {
+    std::string text = fmt::format("{:.1f} %", 100 * s.value);
+    if (s.low < s.high) text += fmt::format(" ({:.1f} to {:.1f})", 100 * s.low, 100 * s.high);
+    return text;
+}
 
 std::string summary(const std::vector<View>& views, const std::vector<Verdict>& verdicts, const std::string& command) {
     std::string text;

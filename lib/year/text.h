@@ -9,6 +9,8 @@
 
 namespace year {
 
+std::string percent_text(const Bounded& share);  // "62.1 % (60.2 to 64.0)"
+
 // Five lines a view, under its name where it has one, and a last one for several.  command: what shows a view's hour
 // once " -hours NAME" stands behind it.
 std::string summary(const std::vector<View>& views, const std::vector<Verdict>& verdicts, const std::string& command);

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "temp_folder.h"
+#include "year/provision.h"
 #include "year/text.h"
 
 namespace {
@@ -185,7 +186,7 @@ TEST_CASE("a sensor's count has the width of independent errors, its limits hold
 namespace {
 
 struct Coverage {
-    std::array<size_t, 7> held{};      // DA, sDA, ASE, UDI
+    std::array<size_t, 8> held{};      // DA, sDA, ASE, UDI, EN 17037's plane of 300 lx
     size_t da = 0, sun = 0;            // of sensors
     double spatial = 0, autonomy = 0;  // widths
 };
@@ -204,6 +205,10 @@ Coverage study(SimulatedYears& simulated, const std::array<double, 3>& error, si
         c.held[1] += holds(seen.spatial, truth.spatial.value);
         c.held[2] += holds(seen.exposed, truth.exposed.value);
         for (size_t u = 0; u < usefulness_kinds; ++u) c.held[3 + u] += holds(seen.useful[u], truth.useful[u].value);
+        DaylightHours all{"", grid.hours.size(), {}, {}};
+        for (const GridHour& h : grid.hours) all.lit.push_back(h.time);
+        c.held[7] += holds(judge_provision(grid, all, false, .05).plane[1],
+                           judge_provision(simulated.truth, all, false, .05).plane[1].value);
         for (size_t i = 0; i < seen.sensors.size(); ++i) {
             c.da += holds(seen.sensors[i].autonomy, truth.sensors[i].autonomy.value);
             c.sun += holds(seen.sensors[i].sun_hours, truth.sensors[i].sun_hours.value);

@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "base/run.h"
 #include "options.h"
+#include "year/en17037_text.h"
 #include "year/grid_maps.h"
 #include "year/honeybee.h"
 #include "year/next.h"
@@ -42,6 +43,15 @@ void refuse_options_of_views(const Options& o) {
         if (given) base::fail(name, "is of views, not of sensors");
 }
 
+std::vector<year::Provision> provisions_of(const Options& o, const std::vector<year::Grid>& grids) {
+    std::vector<year::Provision> provisions;
+    if (o.en17037.empty()) return provisions;
+    const year::DaylightHours daylight = year::daylight_hours(weather::read_weather(o.en17037));
+    for (const year::Grid& g : grids)
+        provisions.push_back(year::judge_provision(g, daylight, o.rooflight, 1 - o.percent / 100));
+    return provisions;
+}
+
 std::string answer(const Options& o, const std::vector<year::Grid>& grids) {
     refuse_options_of_views(o);
     std::vector<year::Grid> direct;
@@ -51,19 +61,25 @@ std::string answer(const Options& o, const std::vector<year::Grid>& grids) {
         years.push_back(year::judge(grids[g], direct.empty() ? nullptr : &direct[g], o.goals, 1 - o.percent / 100));
     if (!o.plot.empty()) year::write_maps(o.plot, years, o.points, o.goals);
     if (!o.honeybee.empty()) year::write_honeybee(o.honeybee, grids, direct);
+    const std::vector<year::Provision> provisions = provisions_of(o, grids);
     std::vector<report::Line> lines;
-    for (const year::GridYear& y : years)
-        for (size_t k = 0; k < (o.each ? y.sensors.size() : 1); ++k)
-            lines.push_back(o.each ? line_of(y, k) : line_of(y));
-    if (o.format || o.each) return report::table(lines, o.format.value_or(report::TableFormat::tsv));
     std::string text;
-    for (const year::GridYear& y : years) text += year::summary(y, o.goals);
-    return text;
+    for (size_t g = 0; g < years.size(); ++g) {
+        for (size_t k = 0; k < (o.each ? years[g].sensors.size() : 1); ++k)
+            lines.push_back(o.each ? line_of(years[g], k) : line_of(years[g]));
+        text += year::summary(years[g], o.goals);
+        if (provisions.empty()) continue;
+        if (!o.each) year::add(lines.back(), provisions[g]);
+        text += year::lines_of(provisions[g]);
+    }
+    return o.format || o.each ? report::table(lines, o.format.value_or(report::TableFormat::tsv)) : text;
 }
 
 void refuse_options_of_sensors(const Options& o) {
-    const std::pair<const char*, bool> of_sensors[] = {
-        {"-direct", !o.direct.empty()}, {"-each", o.each}, {"-points", !o.points.empty()}};
+    const std::pair<const char*, bool> of_sensors[] = {{"-direct", !o.direct.empty()},
+                                                       {"-each", o.each},
+                                                       {"-points", !o.points.empty()},
+                                                       {"-en17037", !o.en17037.empty()}};
     for (const auto& [name, given] : of_sensors)
         if (given) base::fail(name, "is of sensors (vcmetrics -each), not of views");
 }

@@ -15,6 +15,8 @@ struct Options {
     std::vector<std::string> closed;            // -closed: tables of a run with closed shades
     double close_dgp = .4;                      // -close
     year::Goals goals;                          // -sda, -udi, -ase
+    std::string en17037;                        // -en17037: the weather file of the year
+    bool rooflight = false;                     // -rooflight: its openings are horizontal
     bool each = false;                          // -each: a row a sensor
     std::string view;                           // -view: this one alone
     std::string command = "ptrace ...";         // -command: in front of -hours

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// See en17037_text.h.
+#include "year/en17037_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "year/text.h"
+
+namespace year {
+namespace {
+
+std::string have(const Provision& p, const Demand& d) {
+    return fmt::format("{:g} lx on {}", provision_lux[d.lux], percent_text(p.plane[d.lux]));
+}
+
+std::string level_text(int low, int high) {
+    return low == high ? level_name(low) : fmt::format("undecided, {} to {}", level_name(low), level_name(high));
+}
+
+std::string what_lacks(const Provision& p, int level) {
+    std::string text;
+    for (const Demand& d : demands(level, p.rooflight))
+        if (!is_met(d, p.plane[d.lux].low))
+            text += fmt::format("{} {} where {:g} % are asked", text.empty() ? "" : ",", have(p, d), 100 * d.share);
+    return fmt::format("lacks     for {}:{}\n", level_name(level), text);
+}
+
+}  // namespace
+
+std::string lines_of(const Provision& p) {
+    std::string reached;
+    for (const Demand& d : demands(std::max(p.level, 1), p.rooflight))
+        reached += (reached.empty() ? "" : ", ") + have(p, d);
+    const std::string line = fmt::format("provision EN 17037 {}: {} of the sensors in half of {} daylight hours\n",
+                                         level_text(p.low, p.high), reached, p.hours);
+    return p.low < highest_level ? line + what_lacks(p, p.low + 1) : line;
+}
+
+void add(report::Line& line, const Provision& p) {
+    report::add(line, "provision", report::text_cell(p.low == p.high ? level_name(p.level) : "undecided"));
+    report::add(line, "provision.best", report::text_cell(level_name(p.high)));
+    report::add(line, "provision.worst", report::text_cell(level_name(p.low)));
+    for (size_t k = 0; k < provision_lux.size(); ++k)
+        report::add_bounds(line, fmt::format("plane_{:g}", provision_lux[k]), p.plane[k].value, p.plane[k].low,
+                           p.plane[k].high);
+}
+
+}  // namespace year

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The parts of EN 17037 as lines and as columns of a table.
+#pragma once
+#include <string>
+
+#include "report/table.h"
+#include "year/provision.h"
+
+namespace year {
+
+// The level and, below high, what lacks to the next one.
+std::string lines_of(const Provision& provision);
+void add(report::Line& line, const Provision& provision);
+
+}  // namespace year

@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# EN 17037 from outside: a room's daylight provision from a weather file and a table by hand, and what is refused.
+. "${TOP:?}/tests/lib.sh"
+needs vcyear
+# A year at 50 N whose days have 4,015 hours of light, the brightest ones about noon, and a room of 20 sensors.
+python3 - << 'END'
+days = [31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31]
+with open("site.wea", "w") as wea, open("room.tsv", "w") as room:
+    wea.write("place Here\nlatitude 50\nlongitude 0\ntime_zone 0\nsite_elevation 0\nweather_data_file_units 1\n")
+    room.write("sky\tgrid\tpoint\tE\tlo\thi\n")
+    for month in range(1, 13):
+        for day in range(1, days[month - 1] + 1):
+            for hour in range(24):
+                diffuse = max(0, 100 - 8 * abs(hour - 11.5))
+                wea.write(f"{month} {day} {hour}.5 0 {diffuse}\n")
+                if diffuse == 0: continue
+                # Six hours a day, half of the twelve brightest, have light: the first ten sensors 320 lx, nine 110 lx.
+                lux = 320 if 9 <= hour < 15 else 20
+                for k in range(20):
+                    e = lux if k < 10 else (lux / 320 * 110 if k < 19 else 0)
+                    room.write(f"{month:02}{day:02}_{hour:02}30\troom\t{k}\t{e}\t{e}\t{e}\n")
+END
+check 'the level, and what lacks to the next one' '
+    vcyear -en17037 site.wea room.tsv > says
+    grep -qx "provision EN 17037 minimum: 300 lx on 50.0 %, 100 lx on 95.0 % of the sensors in half of 4380 daylight hours" says
+    grep -qx "lacks     for medium: 500 lx on 0.0 % where 50 % are asked, 300 lx on 50.0 % where 95 % are asked" says'
+check 'as a row' '
+    vcyear -en17037 site.wea -format csv room.tsv > row; head -n 1 row | grep -q "ASE.hi,provision,provision.best,"
+    tail -n 1 row | grep -q ",minimum,minimum,minimum,0.95,0.95,0.95,0.5,0.5,0.5,0,0,0,0,0,0$"'
+check 'below a rooflight the target is on 95 %' '
+    vcyear -en17037 site.wea -rooflight room.tsv > says; grep -q "^provision EN 17037 none: 300 lx on 50.0 % of" says'
+check_error 'office hours alone are not enough' 1 \
+    '^vcyear: room: lacks [0-9]* of the 4380 hours that have the most diffuse light in site.wea, 0101_' '
+    grep -vE "_(08|15|16)30" room.tsv > part.tsv; vcyear -w- -en17037 site.wea part.tsv'
+check_error 'nor is a part of a year' 1 '^vcyear: part.wea: has 10 days of hours; EN 17037 counts those of a year$' '
+    head -n 246 site.wea > part.wea; vcyear -w- -en17037 part.wea room.tsv'
+printf 'sky\tDGP\tDGP.lo\tDGP.hi\tpixels\terrors\n0121_0930\t.3\t.3\t.3\t9999\tDGP=0/8\n' > view.tsv
+check_error 'a view has no plane' 1 '^vcyear: -en17037: is of sensors .vcmetrics -each., not of views$' '
+    vcyear -en17037 site.wea view.tsv'
+check_error 'a rooflight of what' 1 '^vcyear: -rooflight: is of -en17037$' 'vcyear -rooflight room.tsv'
