@@ -74,7 +74,8 @@ void Accumulator::start(const image::Picture& frame, int64_t k) {
 
 bool Accumulator::restarts(const image::Header& frame) const {
     if (empty() || !resumed_.empty()) return false;
-    return frame.frame == 0 || frame.view_name != header_.view_name || frame.sky_name != header_.sky_name;
+    return frame.frame == 0 || frame.view_name != header_.view_name || frame.sky_name != header_.sky_name ||
+           frame.state != header_.state;
 }
 
 void Accumulator::add(const image::Picture& frame, const std::string& place) {

@@ -175,6 +175,7 @@ constexpr Key keys[] = {
     {"FINGERPRINT=", [](F f) { f.h.fingerprint = f.text; }},
     {"VIEWNAME=", [](F f) { f.h.view_name = plain_name(f.text, f.where); }},
     {"SKYNAME=", [](F f) { f.h.sky_name = plain_name(f.text, f.where); }},
+    {"STATE=", [](F f) { f.h.state = state_name(f.text, f.where); }},
     {"SHARED_PATHS=", [](F f) { f.h.shared_paths = plain_name(f.text, f.where); }},
     {"UNKNOWN=", [](F f) { f.h.unknown = one_line(f.text); }},
     {"GRID=", read_grid},
@@ -209,6 +210,7 @@ std::vector<std::string> header_lines(const Header& h) {
     if (h.view) out.push_back("VIEW=" + view::to_options(*h.view));
     if (!h.view_name.empty()) out.push_back("VIEWNAME=" + h.view_name);
     if (!h.sky_name.empty()) out.push_back("SKYNAME=" + h.sky_name);
+    if (!h.state.empty()) out.push_back("STATE=" + h.state);
     if (!h.shared_paths.empty()) out.push_back("SHARED_PATHS=" + h.shared_paths);
     if (!h.unknown.empty()) out.push_back("UNKNOWN=" + one_line(h.unknown));
     for (const Grid& grid : h.grids) out.push_back("GRID=" + to_text(grid));

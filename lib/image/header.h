@@ -43,6 +43,7 @@ void add_input_history(Header& header, const std::string& name, const Header& in
 
 // A name of a view or a sky becomes part of file names: throws Error (place) for one that would be a path.
 const std::string& plain_name(const std::string& name, const std::string& where);
+const std::string& state_name(const std::string& name, const std::string& where);  // a slash may follow a group
 
 // "desk_sky_0900": what the picture shows, if its stream shows several things; else empty.
 std::string label(const Header& header);

@@ -18,8 +18,22 @@ const std::string& plain_name(const std::string& name, const std::string& where)
     return name;
 }
 
+// Groups have a slash, which a file's name has not.
+static std::string of_file(std::string state) {
+    std::replace(state.begin(), state.end(), '/', '-');
+    return state;
+}
+
+const std::string& state_name(const std::string& name, const std::string& where) {
+    plain_name(of_file(name), where);
+    return name;
+}
+
 std::string label(const Header& h) {
-    return h.view_name + (h.view_name.empty() || h.sky_name.empty() ? "" : "_") + h.sky_name;
+    std::string label;
+    for (const std::string& name : {h.view_name, of_file(h.state), h.sky_name})
+        if (!name.empty()) label += (label.empty() ? "" : "_") + name;
+    return label;
 }
 
 std::string to_text(const Ranges& ranges) {

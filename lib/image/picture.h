@@ -37,6 +37,7 @@ struct Header {
     std::optional<int64_t> last_frame;     // LASTFRAME=k: the stream goes on to frame k
     std::optional<int64_t> direct_frames;  // FRAME0=m: frame 0 holds the direct and specular light of frames 1 to m
     std::string view_name, sky_name;  // VIEWNAME=, SKYNAME=: in streams of several pictures of one scene; else empty
+    std::string state;                // STATE=: of what moves in the scene (ptrace -state), "south/half"; else empty
     std::string shared_paths;         // SHARED_PATHS=: pictures that have it in common have paths in common; else empty
     std::string unknown;              // UNKNOWN=why: the picture has no values, its pixels mean nothing; else empty
     std::vector<Grid> grids;          // GRID=: a picture of points, without view; else empty

@@ -43,7 +43,8 @@ const std::map<std::string, std::string> evalglare_names = {{"dgp", "DGP"},
 
 // Columns that tell rows apart; "seconds" tells nothing.
 bool is_label(const std::string& name) {
-    static const std::set<std::string> labels{"file", "view", "sky", "edit", "frame", "source", "grid", "point"};
+    static const std::set<std::string> labels{"file",  "view",   "sky",  "state", "edit",
+                                              "frame", "source", "grid", "point"};
     return labels.count(name) > 0;
 }
 

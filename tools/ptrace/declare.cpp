@@ -88,6 +88,8 @@ void declare_pictures(OptionTable& t, Options& opt) {
      }).default_text("0.1; of Daysim's anything above 0");
     t.add("-wea-shift h", "Move the sun of -wea to where it stands h hours later", opt.hour_options.shift_h)
         .within(-12, 12);
+    t.add("-state words", "Pictures of the scene in this state: a name, and the files that it changes; may be repeated",
+          opt.state_words);
     t.add("-second-sky[+-]", "A scene may have a sun or a sky beside that of -wea or -sky", opt.second_sky);
 }
 

@@ -37,6 +37,7 @@ std::unique_ptr<device::Device> start(const std::string& device) {
 }
 
 void write_rule(const Options& opt) {
+    if (!opt.last_state) return;
     const std::vector<std::string> files = base::paths_of(*opt.files.read);
     const std::string rule = base::make_rule(opt.rule_for, files);
     base::refuse_to_overwrite({opt.rule_file}, files);
@@ -84,7 +85,7 @@ std::optional<Left> render_together(Session& s) {
     if (std::none_of(opt.skies.begin(), opt.skies.end(), [](const Sky& sky) { return sky.light.has_value(); }))
         return {};
     s.text = render::with_sky(render::read_room(opt.scene_files, opt.files, false), opt.mean_sky, opt.files);
-    s.device = start(opt.device);
+    if (!s.device) s.device = start(opt.device);
     plan_first(s, {}, 0);
     if (const std::string why = render::why_apart(s.plan); !why.empty()) {
         base::say("ptrace: each hour is rendered by itself: " + why);
@@ -118,8 +119,7 @@ bool load_under(Session& s, const Sky& sky, const base::WorkBudget& budget, bool
     return has_light;
 }
 
-int render_all(Options options) {
-    Session s(std::move(options));
+int render_all(Session& s) {
     choose_focus(s.run.opt);
     const Options& opt = s.run.opt;
     const std::optional<Left> of_together = render_together(s);
@@ -169,10 +169,27 @@ int render_all(Options options) {
     return 0;
 }
 
+// One state after another, on one device.
+int render_states(const Options& opt) {
+    std::unique_ptr<device::Device> device;
+    for (const scene::State& state : opt.states) {
+        Options of_state = opt;
+        of_state.scene_files = state.files;
+        of_state.state = state.name;
+        of_state.last_state = &state == &opt.states.back();
+        of_state.files.work = base::work_budget_from_environment();
+        Session s(std::move(of_state));
+        s.device = std::move(device);
+        if (const int status = render_all(s); status != 0 || base::shutdown_requested()) return status;
+        device = std::move(s.device);
+    }
+    return 0;
+}
+
 int run(int argc, char** argv) {
     Options opt;
     if (auto status = parse_options(argc, argv, opt)) return *status;
-    return render_all(std::move(opt));
+    return render_states(opt);
 }
 
 }  // namespace

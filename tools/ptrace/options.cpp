@@ -99,6 +99,14 @@ void choose_hours(const base::OptionTable& table, Options& opt) {
     base::say("ptrace: " + hours.note);
 }
 
+void choose_states(Options& opt) {
+    opt.states = scene::states_of(opt.state_words, opt.scene_files);
+    if (opt.states.size() < 2) return;
+    if (is_live(opt)) base::fail("-state", "edits are of one state: -watch and -control do not go with several");
+    if (opt.states[0].name.find('/') != std::string::npos)
+        base::say(fmt::format("ptrace: {} states: those of the groups combined", opt.states.size()));
+}
+
 // Names are those of files and of rows in tables.
 void check_names(const Options& opt) {
     std::set<std::string> views, skies;
@@ -106,6 +114,8 @@ void check_names(const Options& opt) {
         if (!s.name.empty()) image::plain_name(s.name, "the view");
         if (!views.insert(s.name).second) base::fail("", "two views are called \"" + s.name + "\"");
     }
+    for (const scene::State& s : opt.states)
+        if (!s.name.empty()) image::state_name(s.name, "-state");
     for (const Sky& sky : opt.skies) {
         image::plain_name(sky.name, sky.file);
         if (!skies.insert(sky.name).second) base::fail(sky.file, "two skies are called \"" + sky.name + "\"");
@@ -114,13 +124,16 @@ void check_names(const Options& opt) {
 
 void check_output(const Options& opt) {
     if (opt.last == Options::endless) base::fail("-frames", "say how many frames to write to files");
-    const std::string label = opt.views[0].name + (opt.skies.empty() ? "" : opt.skies[0].name);
+    image::Header first;
+    first.view_name = opt.views[0].name, first.state = opt.states[0].name;
+    if (!opt.skies.empty()) first.sky_name = opt.skies[0].name;
+    const std::string label = image::label(first);
     if (opt.one_picture) {
         if (opt.output.find("%d") != std::string::npos)
             base::fail("-o", "\"" + opt.output + "\": -picture writes no numbered frames, so %d has no meaning");
     } else if (opt.last > opt.first && output_name(opt.output, 0, label) == output_name(opt.output, 1, label))
         base::fail("-o", "\"" + opt.output + "\" needs a %d for the number of the frame");
-    const bool several = !opt.views[0].name.empty() || !opt.skies.empty();
+    const bool several = !label.empty();
     if (several && opt.output.find("%s") == std::string::npos)
         base::fail("-o", "\"" + opt.output + "\" needs a %s for the names of several pictures");
     image::require_writable_ending(output_name(opt.output, opt.first, label));
@@ -128,7 +141,8 @@ void check_output(const Options& opt) {
 
 void check_pixel(const Options& opt) {
     const render::RenderView& v = opt.views[0].render_view;
-    if (opt.views.size() > 1 || opt.skies.size() > 1) base::fail("-pixel", "is of one picture, but there are several");
+    if (opt.views.size() > 1 || opt.skies.size() > 1 || opt.states.size() > 1)
+        base::fail("-pixel", "is of one picture, but there are several");
     if (opt.pixel->x < 0 || opt.pixel->x >= v.nx || opt.pixel->y < 0 || opt.pixel->y >= v.ny)
         base::fail("-pixel",
                    fmt::format("{},{} is outside of a picture of {} x {}", opt.pixel->x, opt.pixel->y, v.nx, v.ny));
@@ -146,6 +160,7 @@ void check(const Options& opt) {
     if (reads_stdin && std::count(opt.points_files.begin(), opt.points_files.end(), "-"))
         base::fail("-", "the standard input has the points, not a scene");
     if (reads_stdin && opt.skies.size() > 1) base::fail("-", "is read once, but the scene is read again for each -sky");
+    if (reads_stdin && opt.states.size() > 1) base::fail("-", "is read once, but the scene is read for each -state");
     if (!opt.rule_file.empty() && opt.rule_for.empty()) base::fail("-MF", "needs -M for the rule's target");
     const double* av = opt.render.av;
     if (opt.render.ab == render::no_limit && (av[0] > 0 || av[1] > 0 || av[2] > 0))
@@ -153,7 +168,7 @@ void check(const Options& opt) {
     if (!opt.rule_for.empty() && opt.rule_file.empty()) return;
     for (const NamedView& s : opt.views) render::require_memory(s.render_view);
     if (opt.pixel) return check_pixel(opt);
-    const bool several = opt.views.size() > 1 || opt.skies.size() > 1;
+    const bool several = opt.views.size() > 1 || opt.skies.size() > 1 || opt.states.size() > 1;
     if (several && opt.last == Options::endless && opt.control.empty())
         base::fail("-frames", "say how many frames each picture gets");
     if (opt.watch && opt.first != 0) base::fail("-watch", "needs frame 0: a picture begins anew with it");
@@ -196,6 +211,7 @@ std::optional<int> parse(int argc, char** argv, const std::vector<std::string>& 
         opt.scene_files = *operands;
     }
     opt.scene_files = base::open_folders(opt.scene_files, opt.files);
+    choose_states(opt);
     choose_views(rad_input, rad_input && !operands->empty() ? operands->front() : "", table, opt);
     base::note_files(*opt.files.read, table.files_read());
     opt.command = table.command();

@@ -10,6 +10,7 @@
 #include "base/processors.h"
 #include "image/points.h"
 #include "scene/object.h"
+#include "scene/states.h"
 #include "render/options.h"
 #include "render/view_plan.h"
 #include "skies.h"
@@ -29,6 +30,10 @@ struct Options {
     std::vector<Sky> skies;                 // -sky, -wea: the scene with each of these in turn
     std::string weather, hours = "all";     // -wea, -hours
     HourOptions hour_options;               // -occupied, -wea-shift
+    std::vector<std::string> state_words;   // -state
+    std::vector<scene::State> states;       // of the scene, one at least
+    std::string state;                      // the name of the one at hand
+    bool last_state = true;                 // that it is
     bool second_sky = false;                // -second-sky
     bool hours_apart = false;               // -hours-apart: each rendered by itself
     std::string mean_sky;                   // that stands for those of all hours (render/hours.h)

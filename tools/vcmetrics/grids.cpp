@@ -87,6 +87,7 @@ Line grid_row(const Options& o, const GridState& s, int64_t frame, double second
     Line line;
     add(line, "frame", double(frame)), add(line, "seconds", number_cell(seconds, 4));
     if (!s.header.sky_name.empty()) add(line, "sky", text_cell(s.header.sky_name));
+    if (!s.header.state.empty()) add(line, "state", text_cell(s.header.state));
     if (s.header.edit) add(line, "edit", double(*s.header.edit));
     for (const GridColumn& c : s.columns) {
         const GridNumber v = grid_number(c, s.grids, 1 - o.ci.value_or(.95));
@@ -102,6 +103,7 @@ Line point_row(const Options& o, const GridState& s, size_t g, size_t i) {
     const std::string paths = paths_of(s.header);
     Line line;
     if (!s.header.sky_name.empty()) add(line, "sky", text_cell(s.header.sky_name));
+    if (!s.header.state.empty()) add(line, "state", text_cell(s.header.state));
     add(line, "grid", text_cell(grid.name));
     if (s.points.empty()) {
         add(line, "point", double(i));
@@ -127,7 +129,7 @@ GridStep step(const Options& o, GridState s, image::Picture& p, int64_t frame, d
     if (image::count_of(h.grids) > size_t(p.width) * size_t(p.height))
         base::fail("", "GRID= lines have more points than pixels");
     const bool plain = !o.each && !o.like_rtrace && !(o.last && is_followed(h, frame)),
-               other_sky = h.sky_name != s.header.sky_name;
+               other_sky = h.sky_name != s.header.sky_name || h.state != s.header.state;
     if (!s.columns.empty() && other_sky) tell_if_alone(o, s);
     const bool first = s.columns.empty() || !(h.grids == s.header.grids);  // points change in a live stream
     std::string text = !s.columns.empty() && other_sky ? rows_of_points(o, s) : "";

@@ -81,9 +81,11 @@ bool measures(const Options& o, GridState& state, image::Picture& picture, const
 // Said of the last sum of a picture: frame 0 alone may lack all of its light.
 void tell_if_black(const Row& last, const Row* next) {
     const bool same = next && next->file == last.file && next->view == last.view && next->sky == last.sky &&
-                      next->edit == last.edit && next->frame > last.frame;
+                      next->state == last.state && next->edit == last.edit && next->frame > last.frame;
     if (same || last.may_be_black || !is_black(last.measurement)) return;
-    std::string place = last.view + (last.view.empty() || last.sky.empty() ? "" : "_") + last.sky;
+    image::Header names;
+    names.view_name = last.view, names.sky_name = last.sky, names.state = last.state;
+    std::string place = image::label(names);
     if (place.empty()) place = last.file == "-" ? "stdin" : last.file;
     base::warn(place, std::string("the picture is black: ") + why_black);
 }

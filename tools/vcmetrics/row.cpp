@@ -47,6 +47,7 @@ Line start_of(const Options& o, const Heading& heading, const Row& row) {
     const auto name = [](const std::string& text) { return text_cell(text.empty() ? "-" : text); };
     if (heading.views) add(out, "view", name(row.view));
     if (heading.skies) add(out, "sky", name(row.sky));
+    if (heading.states) add(out, "state", name(row.state));
     if (heading.edits) add(out, "edit", double(row.edit.value_or(0)));
     return out;
 }
@@ -120,7 +121,8 @@ RowText text_of(const Options& o, Heading heading, const RunState& run, const Ro
     if (o.mode == OutputMode::evalglare)
         return {heading, "", evalglare::lines(row.measurement, o.evalglare, run.reading)};
     if (heading.names.empty())
-        heading.views = !row.view.empty(), heading.skies = !row.sky.empty(), heading.edits = row.edit.has_value();
+        heading.views = !row.view.empty(), heading.skies = !row.sky.empty(), heading.states = !row.state.empty(),
+        heading.edits = row.edit.has_value();
     heading.paths = heading.paths || !row.paths.empty();
     const std::vector<Line> lines = lines_of(o, heading, run, row);
     Line first = lines.empty() ? start_of(o, heading, row) : lines[0];

@@ -8,9 +8,10 @@
 
 // The heading of the rows; it is printed again where the columns have changed.
 struct Heading {
-    std::vector<std::string> names;                    // of the last one
-    bool views = false, skies = false, edits = false;  // pictures are named, as those of ptrace -views, -sky, -watch
-    bool paths = false;                                // some of them share their paths
+    std::vector<std::string> names;  // of the last one
+    bool views = false, skies = false, states = false,
+         edits = false;  // pictures are named, as those of ptrace -views, -sky, -watch
+    bool paths = false;  // some of them share their paths
 };
 
 struct RowText {

@@ -56,7 +56,8 @@ bool is_dark_hour(const image::Header& header) {
 Row row_of(const Options& o, const RunState& run, const image::Header& header, const PicturePlace& place,
            Measurement m) {
     Row out;
-    out.file = place.file, out.view = header.view_name, out.sky = header.sky_name, out.edit = header.edit;
+    out.file = place.file, out.view = header.view_name, out.sky = header.sky_name, out.state = header.state,
+    out.edit = header.edit;
     out.paths = paths_of(header);
     out.frame = frame_number(header, place);
     out.may_be_black =

@@ -40,8 +40,8 @@ struct Number {
     report::NumberError error;  // likewise
 };
 struct Row {
-    std::string file, view, sky;  // view, sky: their names
-    std::string paths;            // the same in rows that share them; empty: none
+    std::string file, view, sky, state;  // view, sky, state: their names
+    std::string paths;                   // the same in rows that share them; empty: none
     std::optional<int64_t> edit;
     int64_t frame;
     double seconds;                   // since the start of the run

@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# States of blinds (ptrace -state): each is the picture of a run of its own, and says its name down to the tables.
+. "${TOP:?}/tests/lib.sh"
+needs ptrace ptaccum vcmetrics mkstream
+printf 'void glow sky 0 0 4 1 1 1 0\nsky source s 0 0 4 0 0 1 180\n' > sky.rad
+printf 'void plastic p 0 0 5 .5 .5 .5 0 0\np ring floor 0 0 8 0 0 0 0 0 1 0 9\n' > room.rad
+printf 'void plastic q 0 0 5 0 0 0 0 0\nq ring roof 0 0 8 0 0 2 0 0 1 0 3\n' > roof.rad
+printf 'void plastic r 0 0 5 0 0 0 0 0\nr ring roof 0 0 8 0 0 2 0 0 1 0 900\n' > 'vast roof.rad'
+printf '0 0 1 0 0 1\n0 0 1 0 0 -1\n' > desk.pts
+view='-vta -vp 0 0 1 -vd 0 0 1 -vu 0 1 0 -vv 180 -vh 180 -x 8 -y 8'
+states=(-state open -state half=roof.rad -state "shut=-sky.rad +sky.rad +'vast roof.rad'")
+
+check 'a picture of each state, with its name' '
+    ptrace $view -frames 3 "${states[@]}" sky.rad room.rad > all.str
+    [ "$(strings all.str | sed -n "s/^STATE=//p" | uniq | tr "\n" " ")" = "open half shut " ]'
+check 'with the frames of a run for this scene alone' '
+    ptaccum -o "%s.exr" < all.str
+    ptrace $view -frames 3 sky.rad room.rad roof.rad | ptaccum -last -o alone.exr
+    [ "$(mkstream differ alone.exr half.exr)" = 0 ]; [ "$(mkstream differ open.exr half.exr)" -gt 0 ]'
+check 'tables have a column for it' '
+    ptaccum -every x2 < all.str | vcmetrics -W- -metrics Ev -ci 95 -last > rows
+    [ "$(cut -f 3 rows | tr "\n" " ")" = "state open half shut " ]
+    awk -F "\t" "NR == 2 { if (\$4 < 500) exit 1 } NR == 4 { if (\$4 > .001) exit 1 }" rows'
+check 'and those of sensors, which begin anew with each state' '
+    ptrace -points desk.pts -frames 5 "${states[@]}" sky.rad room.rad | ptaccum -every x2 | vcmetrics -W- -each > rows
+    [ "$(cut -f 1,3 rows | tr "\t\n" "/ ")" = "state/point open/0 open/1 half/0 half/1 shut/0 shut/1 " ]'
+check 'groups are combined, which is told, and files have their names' '
+    ptrace $view -picture -frames 2 -o "p_%s.hdr" -state s/open -state s/shut=roof.rad -state w/open \
+        -state w/shut="vast\ roof.rad" sky.rad room.rad 2> said
+    grep -qx "ptrace: 4 states: those of the groups combined" said
+    ls p_s-open+w-open.hdr p_s-open+w-shut.hdr p_s-shut+w-open.hdr p_s-shut+w-shut.hdr
+    strings p_s-shut+w-open.hdr | grep -qx "STATE=s/shut+w/open"'
+check 'a generator may stand behind !' '
+    ptrace $view -frames 2 -state "box=!genbox p b 1 1 1" sky.rad room.rad | ptaccum -last -o %s.exr'
+check_error 'any other command needs -exec' 1 '^ptrace: command line' '
+    ptrace $view -frames 2 -state "box=!ls roof.rad" sky.rad room.rad > out.str'
+check 'the rule of make names the files of all states' '
+    ptrace -M x "${states[@]}" sky.rad room.rad | tr -d "\\\\\n" > rule
+    grep -q roof.rad rule; grep -q "vast roof.rad" rule; [ "$(grep -o x: rule | wc -l)" = 1 ]'
+check 'hours share their paths in each state' '
+    printf "place Here\nlatitude 39.74\nlongitude 105.18\ntime_zone 105\nsite_elevation 1829\n" > y.wea
+    printf "weather_data_file_units 1\n6 21 5.5 0 0\n6 21 12.5 700 90\n6 21 13.5 700 90\n" >> y.wea
+    ptrace -w- -points desk.pts -wea y.wea -frames 3 -state open -state half=roof.rad room.rad 2> said |
+        ptaccum -every x2 | vcmetrics -W- -each > rows
+    hours() { printf " 2 0621_%s $1" 0530 1230 1330; }
+    [ "$(sed 1d rows | cut -f 1,2 | uniq -c | tr -s " \t\n" " ")" = "$(hours open; hours half) " ]
+    [ "$(grep 1230 rows | cut -f 9 | sort -u | wc -l)" = 2 ]'
+check_error 'edits are of one state' 1 '^ptrace: -state: edits are of one state' '
+    ptrace $view -watch "${states[@]}" sky.rad room.rad | cat'
+check_error 'a file that is no part of the scene' 1 '^ptrace: -state: shut: "none.rad" is not a file of the scene$' '
+    ptrace $view -frames 2 -state shut=-none.rad sky.rad room.rad | cat'
