@@ -19,12 +19,22 @@ std::string level_text(int low, int high) {
     return low == high ? level_name(low) : fmt::format("undecided, {} to {}", level_name(low), level_name(high));
 }
 
+std::string hours_text(const Bounded& h) {
+    return fmt::format("{:.2f} h", h.value) + (h.low < h.high ? fmt::format(" ({:.2f} to {:.2f})", h.low, h.high) : "");
+}
+
 std::string what_lacks(const Provision& p, int level) {
     std::string text;
     for (const Demand& d : demands(level, p.rooflight))
         if (!is_met(d, p.plane[d.lux].low))
             text += fmt::format("{} {} where {:g} % are asked", text.empty() ? "" : ",", have(p, d), 100 * d.share);
     return fmt::format("lacks     for {}:{}\n", level_name(level), text);
+}
+
+void add_levels(report::Line& line, const std::string& name, int low, int high) {
+    report::add(line, name, report::text_cell(low == high ? level_name(low) : "undecided"));
+    report::add(line, name + ".best", report::text_cell(level_name(high)));
+    report::add(line, name + ".worst", report::text_cell(level_name(low)));
 }
 
 }  // namespace
@@ -39,12 +49,23 @@ std::string lines_of(const Provision& p) {
 }
 
 void add(report::Line& line, const Provision& p) {
-    report::add(line, "provision", report::text_cell(p.low == p.high ? level_name(p.level) : "undecided"));
-    report::add(line, "provision.best", report::text_cell(level_name(p.high)));
-    report::add(line, "provision.worst", report::text_cell(level_name(p.low)));
+    add_levels(line, "provision", p.low, p.high);
     for (size_t k = 0; k < provision_lux.size(); ++k)
         report::add_bounds(line, fmt::format("plane_{:g}", provision_lux[k]), p.plane[k].value, p.plane[k].low,
                            p.plane[k].high);
+}
+
+std::string line_of(const Sunlight& s) {
+    const std::string best = s.days > 1 ? fmt::format(", the best of {} days", s.days) : "";
+    return fmt::format("sunlight  EN 17037 {}: {} on {}{}, sun at {:g} degrees or more, steps of {:g} min\n",
+                       level_text(s.low, s.high), hours_text(s.hours), day_text(s.date), best, s.lowest_deg,
+                       s.step_min);
+}
+
+void add(report::Line& line, const Sunlight& s) {
+    add_levels(line, "sunlight", s.low, s.high);
+    report::add(line, "day", report::text_cell(day_text(s.date)));
+    report::add_bounds(line, "sunlight_hours", s.hours.value, s.hours.low, s.hours.high);
 }
 
 }  // namespace year

@@ -5,11 +5,15 @@
 
 #include "report/table.h"
 #include "year/provision.h"
+#include "year/sunlight.h"
 
 namespace year {
 
 // The level and, below high, what lacks to the next one.
 std::string lines_of(const Provision& provision);
 void add(report::Line& line, const Provision& provision);
+
+std::string line_of(const Sunlight& sunlight);
+void add(report::Line& line, const Sunlight& sunlight);
 
 }  // namespace year

@@ -3,6 +3,7 @@
 // intervals.
 // The numbers live in lib/year; this file only connects.  See man/vcyear.1.
 #include <algorithm>
+#include <numeric>
 
 #include "base/error.h"
 #include "base/run.h"
@@ -52,8 +53,29 @@ std::vector<year::Provision> provisions_of(const Options& o, const std::vector<y
     return provisions;
 }
 
+// -sunlight: a line for each grid, or -each point.
+std::string sunlight(const Options& o, const std::vector<year::Grid>& grids) {
+    const weather::Weather day = weather::read_weather(o.sun_steps);
+    std::vector<report::Line> lines;
+    std::string text;
+    for (const year::Grid& g : grids) {
+        std::vector<size_t> points(g.sensors());
+        std::iota(points.begin(), points.end(), size_t(0));
+        for (size_t k = 0; k < (o.each ? points.size() : 1); ++k) {
+            const year::Sunlight s =
+                year::judge_sunlight(g, o.each ? std::vector<size_t>{k} : points, day, o.lowest_deg);
+            report::add(lines.emplace_back(), "grid", report::text_cell(g.name));
+            if (o.each) report::add(lines.back(), "point", double(k));
+            year::add(lines.back(), s);
+            text += g.name + "\n" + year::line_of(s);
+        }
+    }
+    return o.format || o.each ? report::table(lines, o.format.value_or(report::TableFormat::tsv)) : text;
+}
+
 std::string answer(const Options& o, const std::vector<year::Grid>& grids) {
     refuse_options_of_views(o);
+    if (!o.sun_steps.empty()) return sunlight(o, grids);
     std::vector<year::Grid> direct;
     if (!o.direct.empty()) direct = read_direct(o.direct, grids);
     std::vector<year::GridYear> years;
@@ -79,7 +101,8 @@ void refuse_options_of_sensors(const Options& o) {
     const std::pair<const char*, bool> of_sensors[] = {{"-direct", !o.direct.empty()},
                                                        {"-each", o.each},
                                                        {"-points", !o.points.empty()},
-                                                       {"-en17037", !o.en17037.empty()}};
+                                                       {"-en17037", !o.en17037.empty()},
+                                                       {"-sunlight", !o.sun_steps.empty()}};
     for (const auto& [name, given] : of_sensors)
         if (given) base::fail(name, "is of sensors (vcmetrics -each), not of views");
 }

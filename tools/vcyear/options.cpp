@@ -60,6 +60,11 @@ std::optional<int> parse_options(int argc, char** argv, Options& o) {
     t.group("EN 17037");
     t.add("-en17037 file", "Weather file of the year, for the daylight provision of sensors", o.en17037);
     t.add("-rooflight[+-]", "The daylight openings are horizontal", o.rooflight);
+    t.add("-sunlight file degrees", "Sunlight at points of openings: the weather file of the table, the lowest sun",
+          [&o](base::Arguments& a) {
+              o.sun_steps = a.text();
+              o.lowest_deg = a.real(base::within(0, 90));
+          });
     t.group("Files");
     t.add("-plot file", "Write a heat map of days by hours, or maps of sensors, .svg or .png", o.plot);
     t.add("-points file", "The points of a grid that ptrace had, for -plot", o.points);
@@ -78,11 +83,14 @@ std::optional<int> parse_options(int argc, char** argv, Options& o) {
     o.tables = *operands;
     if (o.tables.empty()) base::fail("", "no table; vcyear -help lists the options");
     if (o.next && o.worst > 0) base::fail("-next", "prints other lines than -worst; ask for one of them");
+    if (!o.sun_steps.empty() && !o.en17037.empty())
+        base::fail("-sunlight", "has tables of a day in steps; those of -en17037 are of a year");
     if (o.rooflight && o.en17037.empty()) base::fail("-rooflight", "is of -en17037");
     if (!o.plot.empty()) image::require_writable_ending(o.plot, {".svg", ".png"});
     std::vector<std::string> inputs = o.tables;
     for (const auto& more : {o.closed, o.direct, o.points}) inputs.insert(inputs.end(), more.begin(), more.end());
-    if (!o.en17037.empty()) inputs.push_back(o.en17037);
+    for (const std::string& file : {o.en17037, o.sun_steps})
+        if (!file.empty()) inputs.push_back(file);
     base::refuse_to_overwrite({o.plot}, inputs);
     if (!o.warnings) base::set_warning_sink({});
     return std::nullopt;

@@ -16,6 +16,8 @@ struct Options {
     double close_dgp = .4;                      // -close
     year::Goals goals;                          // -sda, -udi, -ase
     std::string en17037;                        // -en17037: the weather file of the year
+    std::string sun_steps;                      // -sunlight: the weather file of the steps
+    double lowest_deg = 0;                      // -sunlight: of the sun
     bool rooflight = false;                     // -rooflight: its openings are horizontal
     bool each = false;                          // -each: a row a sensor
     std::string view;                           // -view: this one alone
