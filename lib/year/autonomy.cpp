@@ -11,7 +11,7 @@ namespace year {
 namespace {
 
 struct Numbers {
-    Number autonomy;
+    Number autonomy, credited, excessive;
     std::array<Number, usefulness_kinds> useful;
     Number sun_hours;
 };
@@ -22,6 +22,8 @@ Numbers judge_sensor(const SensorHours& hours, const SensorHours* direct, const 
     const auto& [low, middle, high] = goals.useful_lux;
     const double ends[usefulness_kinds + 1] = {-INFINITY, low, middle, high, INFINITY};
     y.autonomy = count(hours, goals.autonomy_lux, INFINITY, alpha, share);
+    y.credited = credit(hours, goals.autonomy_lux, alpha, share);
+    y.excessive = count(hours, excess_factor * goals.autonomy_lux, INFINITY, alpha, share);
     for (size_t k = 0; k < usefulness_kinds; ++k) y.useful[k] = count(hours, ends[k], ends[k + 1], alpha, share);
     if (direct) y.sun_hours = count(*direct, goals.sun_lux, INFINITY, alpha, 1);
     return y;
@@ -43,7 +45,7 @@ GridYear judge(const Grid& grid, const Grid* direct, const Goals& goals, double 
         const SensorHours sun = direct ? hours_of(*direct, sun_hours, i) : SensorHours{};
         sensors.push_back(judge_sensor(hours_of(grid, hours, i), direct ? &sun : nullptr, goals, alpha));
         const Numbers& n = sensors.back();
-        y.sensors.push_back({n.autonomy.limits, {}, n.sun_hours.limits});
+        y.sensors.push_back({n.autonomy.limits, n.credited.limits, n.excessive.limits, {}, n.sun_hours.limits});
         for (size_t k = 0; k < usefulness_kinds; ++k) y.sensors.back().useful[k] = n.useful[k].limits;
     }
     const auto over_sensors = [&](double strata, const auto& number) {
@@ -53,6 +55,8 @@ GridYear judge(const Grid& grid, const Grid* direct, const Goals& goals, double 
     };
     const double strata = strata_over(grid, hours);
     y.autonomy = over_sensors(strata, [](const Numbers& s) { return s.autonomy; });
+    y.credited = over_sensors(strata, [](const Numbers& s) { return s.credited; });
+    y.excessive = over_sensors(strata, [](const Numbers& s) { return s.excessive; });
     for (size_t k = 0; k < usefulness_kinds; ++k)
         y.useful[k] = over_sensors(strata, [k](const Numbers& s) { return s.useful[k]; });
     y.spatial = over_sensors(

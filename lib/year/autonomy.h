@@ -13,6 +13,10 @@ namespace year {
 // sDA and ASE after IES LM-83-12, Approved Method: IES Spatial Daylight Autonomy (sDA) and Annual Sunlight Exposure
 // (ASE); UDI after J. Mardaljevic et al., Daylighting metrics: is there a relation between useful daylight illuminance
 // and daylight glare probability?, Proceedings of BSO12, 2012.
+// cDA and DAmax after Z. Rogers, in C. Reinhart, J. Mardaljevic and Z. Rogers, Dynamic daylight performance metrics for
+// sustainable building design, Leukos 3, 2006.
+constexpr double excess_factor = 10;  // of autonomy_lux
+
 struct Goals {
     double autonomy_lux = 300, autonomy_share = .5;
     std::array<double, 3> useful_lux{100, 300, 3000};  // rising
@@ -25,6 +29,8 @@ using Useful = std::array<Bounded, usefulness_kinds>;
 
 struct SensorYear {
     Bounded autonomy;   // share of the hours with autonomy_lux or more
+    Bounded credited;   // cDA: the same, hours of less light by what they have of it
+    Bounded excessive;  // DAmax: with excess_factor times as much or more
     Useful useful;      // shares of the hours
     Bounded sun_hours;  // hours with sun_lux or more of direct sun
 };
@@ -33,8 +39,8 @@ struct GridYear {
     std::string name;
     std::vector<SensorYear> sensors;
     size_t hours = 0, dark = 0, missing = 0;
-    std::optional<size_t> sun_hours;  // of the run with direct sun alone
-    Bounded autonomy;                 // means over the sensors
+    std::optional<size_t> sun_hours;        // of the run with direct sun alone
+    Bounded autonomy, credited, excessive;  // means over the sensors
     Useful useful;
     Bounded spatial;  // sDA: share of the sensors whose autonomy is autonomy_share or more
     Bounded exposed;  // ASE: share of the sensors with more than sun_hours of direct sun

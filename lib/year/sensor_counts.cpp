@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "uncertainty/student.h"
+
 namespace year {
 
 using uncertainty::half_samples;
@@ -33,12 +35,42 @@ SensorHours hours_of(const Grid& grid, const std::vector<size_t>& which, size_t 
     return hours;
 }
 
+double errors_of(double alpha, double degrees) {
+    constexpr double as_good_as_normal = 1e6;
+    return uncertainty::student_quantile(alpha, std::min(degrees, as_good_as_normal));
+}
+
 Number count(const SensorHours& hours, double from, double to, double alpha, double scale) {
     Number n;
     n.images = uncertainty::counts_within(hours.known, from, to);
     const Interval i = hours.shared ? uncertainty::count_within(hours.known, n.images, hours.strata, from, to, alpha)
                                     : uncertainty::count_within(uncertainty::apart(hours.known), from, to, alpha);
     n.limits = {scale * n.images.whole, scale * i.low, scale * (i.high + double(hours.missing))};
+    n.images.whole *= scale;
+    for (double& h : n.images.halves) h *= scale;
+    return n;
+}
+
+// Each hour's credit moves by half of its difference between one standard error above and below; where it bends, at
+// `full`, its mean over the noise is lower than it, by which the limits reach further.
+Number credit(const SensorHours& hours, double full, double alpha, double scale) {
+    const auto of = [&](double lux) { return std::clamp(lux / full, 0., 1.); };
+    Number n;
+    double variance = 0, squares = 0, bias = 0;
+    for (const uncertainty::Shared& h : hours.known) {
+        const double here = of(h.of.value), up = of(h.of.value + h.of.error), down = of(h.of.value - h.of.error);
+        const double own = std::pow((up - down) / 2, 2);
+        variance += own, squares += own * own / h.of.degrees, bias += (up + down) / 2 - here;
+        n.images.whole += here;
+        for (size_t k = 0; k < half_samples; ++k) n.images.halves[k] += of(h.half(k));
+    }
+    const double degrees = squares > 0 ? variance * variance / squares : uncertainty::Uncertain::infinite;
+    const double half = variance > 0 ? errors_of(alpha, degrees) * std::sqrt(variance) : 0;
+    Interval i{n.images.whole - std::max(bias, 0.) - half, n.images.whole + std::max(-bias, 0.) + half};
+    if (hours.shared) i = uncertainty::widest(i, uncertainty::limits_of(n.images, hours.strata, alpha));
+    const double most = double(hours.known.size());
+    n.limits = {scale * n.images.whole, scale * std::max(i.low, 0.),
+                scale * (std::min(i.high, most) + double(hours.missing))};
     n.images.whole *= scale;
     for (double& h : n.images.halves) h *= scale;
     return n;

@@ -34,8 +34,14 @@ struct SensorHours {
 std::vector<size_t> all_hours(const Grid& grid);
 SensorHours hours_of(const Grid& grid, const std::vector<size_t>& which, size_t sensor);
 
+// How many standard errors an interval has on each side.
+double errors_of(double alpha, double degrees);
+
 // Hours from `from` lx on and below `to`, times `scale`.
 Number count(const SensorHours& hours, double from, double to, double alpha, double scale);
+
+// The sum of what each hour has of `full` lx, at most 1, times `scale`.
+Number credit(const SensorHours& hours, double full, double alpha, double scale);
 
 // 1 where a number is `least` or more.
 Number reached(const Number& n, double least);

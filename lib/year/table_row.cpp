@@ -56,7 +56,7 @@ double least_dgp(const Columns& c, const report::NumberRow& row, const std::stri
 
 }  // namespace
 
-Columns::Columns(const report::NumberTable& t) {
+Columns::Columns(const report::NumberTable& t, Of what) {
     view = column(t.labels, "view"), sky = column(t.labels, "sky"), frame = column(t.labels, "frame");
     grid = column(t.labels, "grid"), point = column(t.labels, "point");
     errors = column(t.notes, report::errors_column), paths = column(t.notes, report::paths_column);
@@ -65,7 +65,8 @@ Columns::Columns(const report::NumberTable& t) {
     value = column(t.names, name), low = column(t.names, end + "lo"), high = column(t.names, end + "hi");
     pixel_error = column(t.names, "DGP.px"), joins = column(t.names, "DGPf.px");
     ev = column(t.names, "Ev"), ev_low = column(t.names, "Ev.lo"), pixels = column(t.names, "pixels");
-    if (!sky) base::fail(t.name, "has no column sky with the names of hours (ptrace -wea)");
+    if (what == Of::one_sky && !grid) base::fail(t.name, "has no column grid (vcmetrics -each of points)");
+    if (!sky && what == Of::hours) base::fail(t.name, "has no column sky with the names of hours (ptrace -wea)");
     if (!value) base::fail(t.name, grid ? "has no column E" : "has no column DGPf or DGP");
     if (grid && !point) base::fail(t.name, "has no column point (vcmetrics -each without -points)");
     if (grid && (!low || !high)) base::fail(t.name, "has no columns lo and hi");

@@ -16,8 +16,9 @@ struct Columns {
     std::optional<size_t> value, low, high, pixel_error, joins, ev, ev_low, pixels;
     std::string name;  // of the value
 
+    enum class Of { hours, one_sky };  // one sky: of sensors, whose rows need not say when
     // Throws Error (place: the table) where one is missing.
-    explicit Columns(const report::NumberTable& table);
+    explicit Columns(const report::NumberTable& table, Of what = Of::hours);
 };
 
 weather::Time time_of(const std::string& name, const std::string& place);

@@ -95,6 +95,8 @@ std::string summary(const GridYear& y, const Goals& g) {
                        missing_text(y.missing);
     text += fmt::format("DA        {} of the hours have {:g} lx, mean of the sensors\n", percent_text(y.autonomy),
                         g.autonomy_lux);
+    text += fmt::format("cDA       {}, hours of less light by their share of it; DAmax {} have {:g} lx\n",
+                        percent_text(y.credited), percent_text(y.excessive), excess_factor * g.autonomy_lux);
     text += fmt::format("sDA       {} of the sensors have {:g} lx in {:g} % of the hours\n", percent_text(y.spatial),
                         g.autonomy_lux, 100 * g.autonomy_share);
     text += fmt::format("UDI       {} below {:g} lx, {} supplementary, {} autonomous ({:g} to {:g} lx), {} exceeded\n",
@@ -114,6 +116,7 @@ report::Line line_of(const GridYear& y) {
     add(line, "DA", y.autonomy), add(line, "sDA", y.spatial);
     add_useful(line, y.useful);
     add(line, "ASE", y.sun_hours ? y.exposed : unknown);
+    add(line, "cDA", y.credited), add(line, "DAmax", y.excessive);
     return line;
 }
 
@@ -124,6 +127,7 @@ report::Line line_of(const GridYear& y, size_t sensor) {
     add(line, "DA", s.autonomy);
     add_useful(line, s.useful);
     add(line, "sun_hours", y.sun_hours ? s.sun_hours : unknown);
+    add(line, "cDA", s.credited), add(line, "DAmax", s.excessive);
     return line;
 }
 

@@ -35,6 +35,28 @@ check 'autonomy, useful illuminance and direct sun: four of six hours have light
     grep -q "^UDI       55.6 % below 100 lx, 0.0 % supplementary, .*44.4 % exceeded$" says
     grep -qx "ASE       33.3 % of the sensors have 1000 lx of sun in more than 3 of 6 hours" says
     [ "$(vcyear -direct sun.tsv -ase 1000 4 all.tsv | grep -c "^ASE       0.0 %")" = 2 ]'
+check 'credit for less light, and light in excess' '
+    vcyear all.tsv | grep -qx "cDA       44.4 %, hours of less light by their share of it; DAmax 44.4 % have 3000 lx"
+    vcyear -each all.tsv | head -n 1 | grep -q "	sun_hours.hi	cDA	cDA.lo	cDA.hi	DAmax	DAmax.lo	DAmax.hi$"'
+check 'a row for each month, of grids, sensors and views' '
+    vcyear -months all.tsv > months; [ "$(cut -f 1,2,4 months | tr "\t\n" ", ")" = \
+        "month,grid,hours Jan,desk,3 Mar,desk,3 Jan,free,3 Mar,free,3 " ]
+    [ "$(vcyear -months -each all.tsv | wc -l)" = 9 ]
+    printf "sky\tDGP\tDGP.lo\tDGP.hi\tpixels\terrors\n0121_0930\t.3\t.3\t.3\t9999\tDGP=0/8\n" > one.tsv
+    vcyear -w- -months one.tsv | tail -n 1 | grep -q "^Jan	-	1	"'
+check 'points of LEED, and what LM-83 asks besides' '
+    vcyear -leed all.tsv > says
+    grep -qx "LEED v4.1 option 1: 3 points, sDA 75.0 % of 4 sensors in 2 spaces" says
+    grep -qx "lacks     desk has 6 hours, not the 3650 from 8 to 18" says
+    grep -qx "lacks     free has no direct sun (-direct)" says'
+check 'the mean daylight factor, of a sky without an hour' '
+    printf "void glow g 0 0 4 1 1 1 0\ng source s 0 0 4 0 0 1 180\n" > even.rad
+    ptrace -w- -points desk.pts -points free.pts -frames 9 even.rad roof.rad 2> said | ptaccum -every x2 |
+        vcmetrics -W- -each > even.tsv
+    vcyear -overcast even.tsv 562.35 all.tsv | grep -A9 "^free" | grep -qE "^DF        100.00 %.* of 562.35 lx outdoors"
+    vcyear -overcast even.tsv 562.35 -format csv all.tsv | head -n 1 | grep -q ",DF,DF.lo,DF.hi$"'
+check_error 'of all grids' 1 '^vcyear: -overcast: has no grid "free"$' '
+    grep -v free even.tsv > part.tsv; vcyear -overcast part.tsv 500 all.tsv'
 check 'hours that share their paths say so, in all formats, and are counted in half-samples' '
     shared() {
         ptrace -w- -seed ${seed:-1} -points desk.pts -points free.pts -wea y.wea -frames 9 roof.rad 2> said |

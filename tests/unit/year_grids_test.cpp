@@ -154,6 +154,11 @@ TEST_CASE("exact values are counted exactly, from each limit on") {
     exactly(y.sensors[0].autonomy, .7);  // 300 to 999
     exactly(y.sensors[1].autonomy, .9);
     exactly(y.autonomy, .8);
+    exactly(y.sensors[0].credited, (300 * 299 / 2 / 300. + 700) / 1000);  // the ramp below 300 lx has half of it
+    exactly(y.sensors[1].credited, (100 * 99 / 2 / 100. + 900) / 1000);
+    exactly(y.credited, (y.sensors[0].credited.value + y.sensors[1].credited.value) / 2);
+    exactly(y.sensors[0].excessive, 0);  // 3000 lx
+    exactly(judge(ramp(1000, 0), nullptr, Goals{50}, .05).sensors[0].excessive, .5);
     exactly(y.spatial, 1);
     exactly(y.sensors[0].useful[below], .1);
     exactly(y.sensors[0].useful[supplementary], .2);
@@ -186,7 +191,7 @@ TEST_CASE("a sensor's count has the width of independent errors, its limits hold
 namespace {
 
 struct Coverage {
-    std::array<size_t, 8> held{};      // DA, sDA, ASE, UDI, EN 17037's plane of 300 lx
+    std::array<size_t, 10> held{};     // DA, sDA, ASE, UDI, EN 17037's plane of 300 lx, cDA, DAmax
     size_t da = 0, sun = 0;            // of sensors
     double spatial = 0, autonomy = 0;  // widths
 };
@@ -209,6 +214,8 @@ Coverage study(SimulatedYears& simulated, const std::array<double, 3>& error, si
         for (const GridHour& h : grid.hours) all.lit.push_back(h.time);
         c.held[7] += holds(judge_provision(grid, all, false, .05).plane[1],
                            judge_provision(simulated.truth, all, false, .05).plane[1].value);
+        c.held[8] += holds(seen.credited, truth.credited.value);
+        c.held[9] += holds(seen.excessive, truth.excessive.value);
         for (size_t i = 0; i < seen.sensors.size(); ++i) {
             c.da += holds(seen.sensors[i].autonomy, truth.sensors[i].autonomy.value);
             c.sun += holds(seen.sensors[i].sun_hours, truth.sensors[i].sun_hours.value);
@@ -252,6 +259,20 @@ TEST_CASE("half-samples know how far errors of sensors are alike; hours that sha
     CHECK(without.da < .85 * 60 * 20);
     CHECK(with.held[0] >= .9 * 60);
     CHECK(with.da >= .93 * 60 * 20);
+}
+
+TEST_CASE("credit below the limit has the width of its hours' errors, and reaches over the bend at the limit") {
+    // Hours of 100 lx: the sum of n has the error sqrt(n) e / 300.
+    Grid flat{"floor", {}};
+    for (int i = 0; i < 400; ++i) flat.hours.push_back({hour_number(i), {{100, 10}}});
+    const Bounded below = judge(flat, nullptr, {}, .05).credited;
+    CHECK(below.value == doctest::Approx(1 / 3.));
+    CHECK((below.high - below.low) / 2 == doctest::Approx(1.96 * 10 / 300 / 20).epsilon(.001));
+    // At the limit noise costs what lies above it: the mean of half a normal distribution, s / sqrt(2 pi), or more.
+    for (GridHour& h : flat.hours) h.sensors[0] = {300, 10};
+    const Bounded at = judge(flat, nullptr, {}, .05).credited;
+    CHECK(at.high == 1);
+    CHECK(at.low < 1 - 1.96 * 10 / 300 / 2 / 20 + 1e-6);
 }
 
 TEST_CASE("an hour without values may be any: it widens every share by itself") {

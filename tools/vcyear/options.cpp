@@ -46,6 +46,7 @@ std::optional<int> parse_options(int argc, char** argv, Options& o) {
                                   {"jsonl", report::TableFormat::jsonl}}));
     t.add("-ci percent", "Probability that an interval holds the truth", o.percent).within(50, 99.9);
     t.add("-view name", "Only this view", o.view).default_text("all");
+    t.add("-months", "A row for each month", o.months);
     t.add("-worst n", "Print the n worst hours of each view, with a command that shows each", o.worst).at_least(0);
     t.add("-command words", "Command that shows a view's hours, in front of -hours", o.command);
     t.add("-next", "Print the hours to render again so that the class is decided, with their frames and size", o.next);
@@ -57,6 +58,13 @@ std::optional<int> parse_options(int argc, char** argv, Options& o) {
     declare_goals(t, o.goals);
     t.add("-direct file", "Table of the same sensors under direct sun alone (ptrace -ab 0), for ASE", o.direct);
     t.add("-each", "A row for each sensor", o.each);
+    t.add("-overcast file lux",
+          "Table of the same sensors under an overcast sky, and its illuminance outdoors, for the mean daylight factor",
+          [&o](base::Arguments& a) {
+              o.overcast = a.text();
+              o.outdoor_lux = a.real(base::above(0));
+          });
+    t.add("-leed", "Points of LEED v4.1, option 1, over all grids", o.leed);
     t.group("EN 17037");
     t.add("-en17037 file", "Weather file of the year, for the daylight provision of sensors", o.en17037);
     t.add("-rooflight[+-]", "The daylight openings are horizontal", o.rooflight);
@@ -85,11 +93,15 @@ std::optional<int> parse_options(int argc, char** argv, Options& o) {
     if (o.next && o.worst > 0) base::fail("-next", "prints other lines than -worst; ask for one of them");
     if (!o.sun_steps.empty() && !o.en17037.empty())
         base::fail("-sunlight", "has tables of a day in steps; those of -en17037 are of a year");
+    if (o.months && (o.next || o.worst > 0)) base::fail("-months", "prints other lines than -next and -worst");
+    if (o.months && (!o.en17037.empty() || !o.sun_steps.empty() || !o.overcast.empty() || o.leed))
+        base::fail("-months", "counts no month for -en17037, -sunlight, -overcast and -leed");
+    if (o.leed && (o.format || o.each)) base::fail("-leed", "is lines of text, without -format and -each");
     if (o.rooflight && o.en17037.empty()) base::fail("-rooflight", "is of -en17037");
     if (!o.plot.empty()) image::require_writable_ending(o.plot, {".svg", ".png"});
     std::vector<std::string> inputs = o.tables;
     for (const auto& more : {o.closed, o.direct, o.points}) inputs.insert(inputs.end(), more.begin(), more.end());
-    for (const std::string& file : {o.en17037, o.sun_steps})
+    for (const std::string& file : {o.en17037, o.sun_steps, o.overcast})
         if (!file.empty()) inputs.push_back(file);
     base::refuse_to_overwrite({o.plot}, inputs);
     if (!o.warnings) base::set_warning_sink({});

@@ -18,6 +18,9 @@ struct Options {
     std::string en17037;                        // -en17037: the weather file of the year
     std::string sun_steps;                      // -sunlight: the weather file of the steps
     double lowest_deg = 0;                      // -sunlight: of the sun
+    std::string overcast;                       // -overcast: a table of the sensors
+    double outdoor_lux = 0;                     // -overcast
+    bool leed = false, months = false;          // -leed, -months
     bool rooflight = false;                     // -rooflight: its openings are horizontal
     bool each = false;                          // -each: a row a sensor
     std::string view;                           // -view: this one alone
