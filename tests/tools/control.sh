@@ -98,3 +98,7 @@ check_error 'one that is not there, too' 2 '^ptrace: gone: cannot be opened' '
     ptrace -control gone -frames 1 $scene | cat'
 check_error 'vcmetrics -control needs to know when a picture ends' 1 '^vcmetrics: -control: needs -until' '
     vcmetrics -control ctl < /dev/null'
+check 'a scene on the standard input is not read again by an edit, and stays as it was' '
+    touch some.rad; (sleep 1; printf "overlay some.rad 1\n "; sleep 1; echo next) > ctl &
+    timeout 100 ptrace -w- -x 8 -y 8 -control ctl - < plain.rad 2> said | cat > live.str
+    grep -q "^ptrace: -: the standard input cannot be read again" said'

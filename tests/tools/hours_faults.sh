@@ -75,3 +75,13 @@ check_error 'a mirror says that its hours are rendered one by one' 0 \
     printf "void mirror m 0 0 3 .8 .8 .8\nm ring r 0 0 8 0 0 -9 0 0 1 0 1\n" > mirror.rad
     ptrace -w- -points level.pts -wea leap.wea -hours 0621_1230 -frames 2 mirror.rad 2> said > m.str
     grep -v "leap.wea: hours" said >&2'
+check 'a scene on the standard input is read once, for hours together, apart and under several skies' '
+    printf "void plastic p 0 0 5 .5 .5 .5 0 0\np ring r 0 0 8 0 9 0 0 -1 0 0 5\n" > wall.rad
+    printf "void glow g 0 0 4 1 1 1 0\ng source sky 0 0 4 0 0 1 180\n" > sky.rad
+    cp sky.rad other.rad
+    for how in "-wea leap.wea -hours 0621_1230 mirror.rad" "-wea leap.wea -hours 0621_1230" \
+        "-hours-apart -wea leap.wea -hours 0621" "-sky sky.rad -sky other.rad"; do
+        some() { ptrace -w- -vp 0 0 1 -vd 0 1 0 -x 8 -y 8 -frames 3 $how $1 2> said | ptaccum -last; }
+        for f in wall.rad -; do some $f < wall.rad | vcmetrics -metrics Ev | cut -f 3- > rows$f; done
+        diff rowswall.rad rows-; grep -q "[1-9]" rows-
+    done'

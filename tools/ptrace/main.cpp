@@ -78,13 +78,14 @@ Left all_pictures(const Options& opt) {
     return Left(std::max<size_t>(opt.views.size(), 1), std::vector<bool>(std::max<size_t>(opt.skies.size(), 1), true));
 }
 
-// Renders the hours of -wea together, and returns what is left; nothing if this run has none to be rendered so.
+// Renders the hours of -wea together in the room, and returns what is left; nothing if this run has none to be rendered
+// so.
 std::optional<Left> render_together(Session& s) {
     const Options& opt = s.run.opt;
     if (only_rule(opt) || !why_apart(opt).empty()) return {};
     if (std::none_of(opt.skies.begin(), opt.skies.end(), [](const Sky& sky) { return sky.light.has_value(); }))
         return {};
-    s.text = render::with_sky(render::read_room(opt.scene_files, opt.files, false), opt.mean_sky, opt.files);
+    s.text = render::with_sky(std::move(s.text), opt.mean_sky, opt.files);
     if (!s.device) s.device = start(opt.device);
     plan_first(s, {}, 0);
     if (const std::string why = render::why_apart(s.plan); !why.empty()) {
@@ -122,6 +123,9 @@ bool load_under(Session& s, const Sky& sky, const base::WorkBudget& budget, bool
 int render_all(Session& s) {
     choose_focus(s.run.opt);
     const Options& opt = s.run.opt;
+    const bool has_other_skies = opt.skies.size() > 1 || !opt.mean_sky.empty();
+    s.text = render::read_room(opt.scene_files, opt.files, is_live(opt) || has_other_skies);
+    const base::WorkBudget budget = *opt.files.work;
     const std::optional<Left> of_together = render_together(s);
     const Left left = of_together ? *of_together : all_pictures(opt);
     const auto is_done = [](const std::vector<bool>& v) { return std::find(v.begin(), v.end(), true) == v.end(); };
@@ -129,8 +133,6 @@ int render_all(Session& s) {
     std::vector<Sky> skies = opt.skies.empty() ? std::vector<Sky>(1) : opt.skies;
     for (Sky& sky : skies) sky.beside_shared = of_together.has_value();
     s.run.opt.render.keep_room = is_live(opt) || skies.size() > 1;
-    s.text = render::read_room(opt.scene_files, opt.files, opt.render.keep_room);
-    const base::WorkBudget budget = *opt.files.work;
     for (const Sky& sky : skies) {
         const bool last = &sky == &skies.back();
         if (base::shutdown_requested()) break;

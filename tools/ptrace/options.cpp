@@ -159,7 +159,6 @@ void check(const Options& opt) {
         base::fail("-", "the standard input has the views, not a scene");
     if (reads_stdin && std::count(opt.points_files.begin(), opt.points_files.end(), "-"))
         base::fail("-", "the standard input has the points, not a scene");
-    if (reads_stdin && opt.skies.size() > 1) base::fail("-", "is read once, but the scene is read again for each -sky");
     if (reads_stdin && opt.states.size() > 1) base::fail("-", "is read once, but the scene is read for each -state");
     if (!opt.rule_file.empty() && opt.rule_for.empty()) base::fail("-MF", "needs -M for the rule's target");
     const double* av = opt.render.av;

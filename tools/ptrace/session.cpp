@@ -57,6 +57,8 @@ bool take(Session& s, Edited next, const Sky& sky, size_t i) {
     opt.files.work = budget_of_edit(s);
     std::optional<render::SceneText> text;
     if (next.work == Work::files) {
+        if (std::count(opt.scene_files.begin(), opt.scene_files.end(), "-"))
+            base::fail("-", "the standard input cannot be read again");
         base::take_warnings();
         if (!opt.points_files.empty()) {
             read_points(opt);
