@@ -29,9 +29,14 @@ kill_program() {
         of_day $child || { kill -9 $child; return; }
     done
 }
-check 'where vcview is killed all end, also while nothing is rendered' '
-    begin; ask POST /control "preview -vp 2 2 1"; sleep .5; kill_program vcview; ended
-    rm -f luxpipe.regions'
+seq 4 | sed "s/.*/& 2 .8 0 0 1/" > desk.pts
+for signals in KILL "TERM TERM"; do
+    check "where vcview is ended by $signals all end, also while nothing is rendered, and those of a plan" '
+        begin -points desk.pts; await "below $live | grep -c ptaccum | grep -qx 2"; all=$(below $live | cut -d " " -f 1)
+        ask POST /control "preview -vp 2 2 1"; sleep .5; for s in '"$signals"'; do kill -$s $live || :; done
+        await "! kill -0 $live 2> /dev/null"; for child in $all; do await "! kill -0 $child 2> /dev/null"; done
+        rm -rf luxpipe.regions t/*'
+done
 for program in ptrace ptaccum vcmetrics; do
     check "where $program is killed it is named and started again with the design; the second time the page stays" '
         begin; ask POST "/overlay?n=3&version=0" "$(sed s/14/9/ sky_day.rad)"; sleep .5
