@@ -75,6 +75,56 @@ TEST_CASE("an edit waits from its arrival until it is taken; next with another l
     CHECK(!control.edit_waits());
 }
 
+TEST_CASE("a next behind an edit is of the picture that goes on, where the edit fails") {
+    const Fifo fifo;
+    Control control(fifo.path, false);
+    fifo.send("view 1\nview 2\nnext\nview 3\n");
+    CHECK(edits(control).size() == 2);
+    usleep(300000);
+    CHECK(control.take_edits().empty());
+    CHECK(control.ends_picture(""));
+}
+
+TEST_CASE("edits are not heard while a preview is made for the one before, but for a time, or when go ends them") {
+    const Fifo fifo;
+    Control control(fifo.path, false);
+    const auto soon = Control::Clock::now() + std::chrono::milliseconds(600);
+    const auto late = Control::Clock::now() + std::chrono::hours(1);
+    control.set_preview(true, soon);
+    fifo.send("view 1\n");
+    usleep(200000);
+    if (Control::Clock::now() < soon) CHECK_FALSE(control.edit_waits());
+    for (int k = 0; k < 500 && !control.edit_waits(); ++k) usleep(10000);
+    CHECK(control.edit_waits());
+    CHECK(edits(control).size() == 1);
+    control.set_preview(true, late);
+    fifo.send("view 2\n");
+    usleep(200000);
+    CHECK_FALSE(control.edit_waits());
+    control.ends_picture("");  // its first frame
+    CHECK_FALSE(control.edited());
+    CHECK(control.edit_waits());
+    control.set_preview(true, late);
+    fifo.send("go\n");
+    for (int k = 0; k < 500 && !control.edit_waits(); ++k) usleep(10000);
+    CHECK(edits(control).size() == 2);
+}
+
+TEST_CASE("files need not be read to the end where others are asked for, which an equal text does not") {
+    const Fifo fifo;
+    TempFolder folder;
+    const std::string name = folder.holding("a.rad", "void"), other = folder.holding("b.rad", "void");
+    Control control(fifo.path, false);
+    control.set_preview(false, {}, base::with_overlay({}, name, "text"));
+    fifo.send("overlay " + name + " 4\ntextoverlay " + other + " -\nview 1\n");
+    for (int k = 0; k < 500 && !control.edit_waits(); ++k) usleep(10000);
+    usleep(100000);
+    CHECK_FALSE(control.files_wait());
+    fifo.send("overlay " + name + " 4\nelse");
+    for (int k = 0; k < 500 && !control.files_wait(); ++k) usleep(10000);
+    CHECK(control.files_wait());
+}
+
 TEST_CASE("pause holds a frame at once, and a picture until go; go makes an edit of a preview") {
     const Fifo fifo;
     Control control(fifo.path, false);

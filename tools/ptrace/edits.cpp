@@ -22,10 +22,8 @@ void edit(const render::Command& c, size_t picture, Options& opt) {
         if (opt.files.exec) base::fail(place, "with -exec no text may replace a file: it could run programs");
         return void(opt.files.overlays = base::with_overlay(opt.files.overlays, c.rest, *c.text));
     }
-    if (c.word == "overlay" && words.size() > 1 && words.back() == "-") {
-        const std::string file = c.rest.substr(0, c.rest.find_last_not_of(" \t", c.rest.size() - 2) + 1);
-        return void(opt.files.overlays = base::without_overlay(opt.files.overlays, file));
-    }
+    if (c.word == "overlay" && words.size() > 1 && words.back() == "-")
+        return void(opt.files.overlays = base::without_overlay(opt.files.overlays, c.file()));
     if (c.word == "size" && words.size() == 2) words = {"-x", words[0], "-y", words[1]};
     else if (c.word != "view" && c.word != "set" && c.word != "preview" && c.word != "go")
         base::fail(place, "\"" + base::excerpt(c.word + " " + c.rest) + "\" is not a command");

@@ -21,7 +21,18 @@ namespace {
 
 using Commands = std::vector<render::Command>;
 
-constexpr std::chrono::seconds long_reading{2};
+using Clock = std::chrono::steady_clock;
+constexpr std::chrono::seconds shortest_patience{1}, long_reading{2};
+
+// Readings one after another, each given up for the next.
+struct Readings {
+    Clock::time_point since = Clock::now();
+    bool said = false;  // that they take long
+    // A preview's may take as long as all before it, so that one is shown however many edits come.
+    Clock::time_point deaf_until() const {
+        return Clock::now() + std::max<Clock::duration>(shortest_patience, Clock::now() - since);
+    }
+};
 
 Run run_of(Options options) {
     Run run;
@@ -36,14 +47,13 @@ size_t pictures(const Options& opt) {
 
 void say(const std::string& line) { base::say("ptrace: " + line); }
 
-// Files that are read for an edit are given up where another one of them waits, or a signal came.  A page shows the
-// line that is said where it takes long.
-std::shared_ptr<base::WorkBudget> budget_of_edit(const Session& s) {
-    using Clock = std::chrono::steady_clock;
-    const auto check = [&s, since = Clock::now(), said = std::make_shared<bool>(false)] {
+// Files that are read for an edit are given up where others are asked for, or a signal came.  A page shows the line
+// that is said where it takes long.
+std::shared_ptr<base::WorkBudget> budget_of_edit(const Session& s, const std::shared_ptr<Readings>& readings) {
+    const auto check = [&s, readings] {
         if (s.control.files_wait() || base::shutdown_requested()) throw base::GivenUp{};
-        if (*said || !is_live(s.run.opt) || Clock::now() - since < long_reading) return;
-        *said = true;
+        if (readings->said || !is_live(s.run.opt) || Clock::now() - readings->since < long_reading) return;
+        readings->said = true;
         say(fmt::format("edit {}: reading the model", s.run.edits + 1));
     };
     return base::work_budget_from_environment(check);
@@ -51,10 +61,10 @@ std::shared_ptr<base::WorkBudget> budget_of_edit(const Session& s) {
 
 // Reads what the edit asks for, and takes it over with its plan; true: the picture begins anew.  Throws Error, and
 // GivenUp or Cancelled where more waits; all is as before then.
-bool take(Session& s, Edited next, const Sky& sky, size_t i) {
+bool take(Session& s, Edited next, const Sky& sky, size_t i, const std::shared_ptr<Readings>& readings) {
     Options& opt = next.run.opt;
     base::Progress progress("ptrace");
-    opt.files.work = budget_of_edit(s);
+    opt.files.work = budget_of_edit(s, readings);
     std::optional<render::SceneText> text;
     if (next.work == Work::files) {
         if (std::count(opt.scene_files.begin(), opt.scene_files.end(), "-"))
@@ -101,7 +111,6 @@ void add_waiting(Session& s, Commands& commands) {
     for (const render::Command& c : commands)
         if (c.word != "note" && !c.reads_files()) preview = c.word == "preview";
     s.control.set_preview(preview);
-    s.control.ends_picture("");
     for (render::Command& c : s.control.take_edits()) commands.push_back(std::move(c));
 }
 
@@ -136,6 +145,7 @@ void choose_focus(Options& opt) {
 
 bool carry_out(Session& s, Commands commands, const Sky& sky, size_t i) {
     bool told = false;  // the failure
+    const auto readings = std::make_shared<Readings>();
     for (size_t said = 0;; add_waiting(s, commands)) {
         Edited next = edited(s.run, commands, i);
         for (; said < next.refused.size(); ++said) say(next.refused[said]);
@@ -146,12 +156,14 @@ bool carry_out(Session& s, Commands commands, const Sky& sky, size_t i) {
         const scene::ReadOptions how = files;
         const std::string note = next.run.note;
         const bool mended = reads && !s.failure.empty();
+        const auto deaf_until = next.run.opt.preview ? readings->deaf_until() : Clock::time_point();
+        s.control.set_preview(next.run.opt.preview, deaf_until, files.overlays);
         try {
-            const bool begins = take(s, std::move(next), sky, i);
+            const bool begins = take(s, std::move(next), sky, i, readings);
             if (reads) s.failure.clear();
             if (!begins && s.failure.empty() && !s.run.opt.preview && (mended || !note.empty()))
                 say("same " + std::to_string(s.run.edits) + " " + note);  // whoever asked waits for no picture
-            s.control.set_preview(s.run.opt.preview);
+            s.control.set_preview(s.run.opt.preview, deaf_until);
             s.control.watch(*s.run.opt.files.read);
             if (begins && !told && !s.run.opt.preview && !s.failure.empty()) say(s.failure);
             return begins;
@@ -159,7 +171,7 @@ bool carry_out(Session& s, Commands commands, const Sky& sky, size_t i) {
         } catch (const device::Cancelled&) {
         } catch (const base::Error& e) {
             say(e.text);
-            if (!reads) return false;
+            if (!reads) return s.control.set_preview(s.run.opt.preview), false;
             s.failure = e.text, told = true;
             keep_files(s, how);
             commands = without_files(std::move(commands));
@@ -173,7 +185,7 @@ void plan_first(Session& s, const Sky& sky, size_t i) {
     for (bool planned = false; !planned && !base::shutdown_requested();) {
         base::Progress progress("ptrace");
         render::Setup setup = setup_of(s.run.opt, i, progress);
-        setup.reading.work = budget_of_edit(s);
+        setup.reading.work = budget_of_edit(s, std::make_shared<Readings>());
         setup.options.tell_limit = s.plan.fingerprint.empty();  // in the first picture of the run
         try {
             s.plan = render::plan_picture(*s.device, s.text, setup, s.plan);
