@@ -14,6 +14,7 @@
 #include "base/hash.h"
 #include "base/split.h"
 #include "image_pictures.h"
+#include "live/answers.h"
 #include "live/design_file.h"
 #include "live/step.h"
 
@@ -342,6 +343,64 @@ TEST_CASE("programs that die are named, started again once with the design as it
     CHECK_FALSE(page.s.ended);
     CHECK(page.take().find("overlay b.rad 5\nlater") != std::string::npos);
     CHECK(page.ask("/start") == 409);
+}
+
+TEST_CASE("hours and plan that have died twice start again by a click; who is started anew is not paused") {
+    Page page({"a.rad"});
+    for (const Which which : {Which::day, Which::plan}) {
+        page.s.pipe(which).own = true;
+        page.s.pipe(which).stage = live::Pipe::Stage::asleep;
+    }
+    Tracer t = started(page);
+    const auto plan_begins = [&](int64_t frames) {
+        page.come(t.picture(frames));
+        image::Picture sum = small_picture(2, 2);
+        sum.header.edit = page.s.pipe(Which::plan).first_edit;
+        page.come(sum, Which::plan);
+    };
+    const auto waits_for_a_click = [&] { return json_of(page.s).find("\"again\":true") != std::string::npos; };
+    plan_begins(4);
+    page.happen(live::Ended{Which::plan, "ptaccum was ended by signal 9", 137});
+    CHECK(page.started.size() == 3);
+    CHECK_FALSE(waits_for_a_click());
+    page.happen(live::Ended{Which::plan, "ptaccum was ended by signal 9", 137});
+    CHECK(page.started.size() == 3);
+    CHECK(waits_for_a_click());
+    CHECK(page.ask("/start") == 204);
+    CHECK_FALSE(waits_for_a_click());
+    CHECK(page.standing().empty());
+    plan_begins(5);
+    CHECK(page.started == std::vector<Which>{Which::picture, Which::plan, Which::plan, Which::plan});
+    CHECK(page.ask("/start") == 409);
+    page.ask("/control", {}, "pause\n");
+    CHECK(page.s.paused);
+    page.happen(live::Ended{Which::picture, "ptrace was ended by signal 9", 137});
+    CHECK(page.started.back() == Which::picture);
+    CHECK_FALSE(page.s.paused);
+}
+
+TEST_CASE("a place that is asked about is two numbers from 0 to 1") {
+    Page page;
+    Tracer t = started(page);
+    CHECK(page.ask("/what", {{"x", ".25"}, {"y", "1"}}) == 204);
+    CHECK(page.take() == "what 0.25 1\n");
+    for (const char* wrong : {"", "x", "nan", "-.1", "1.1", ".5\nset -o x", ".5 .5", "1e999"}) {
+        CHECK(page.ask("/what", {{"x", wrong}, {"y", ".5"}}) == 400);
+        CHECK(page.ask("/what", {{"x", ".5"}, {"y", wrong}}) == 400);
+    }
+    CHECK(page.take().empty());
+    page.happen(live::Said{Which::picture, "ptrace: what 0.25 1\t0\twall\tpolygon"});
+    const auto answer = live::answer_what(page.s, arguments({{"x", "0.25"}, {"y", "1.0"}}));
+    REQUIRE(answer);
+    CHECK(answer->body == "wall\tpolygon");
+}
+
+TEST_CASE("what is typed before the first picture is in the design; a design of nothing is not written") {
+    Page page;
+    page.ask("/start");
+    CHECK(live::design_text(page.s).empty());
+    page.type(0, "typed");
+    CHECK(live::design_text(page.s).find("\ntext a.rad\n\ttyped") != std::string::npos);
 }
 
 TEST_CASE("a program whose input is wrong is not started again") {
