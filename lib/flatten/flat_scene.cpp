@@ -31,13 +31,17 @@ uint32_t material_record(const FlatScene& scene, uint32_t mod) {
     return mod;
 }
 
-bool see_through(const FlatScene& scene, uint32_t prim, uint32_t inst) {
+uint32_t material_of(const FlatScene& scene, uint32_t prim, uint32_t inst) {
     uint32_t mod = scene.prims[prim].mod;
     if (inst != FlatScene::NO_OBJECT) {
         const uint32_t replaced = scene.instances[inst].mod;
         if (replaced != NONE) mod = replaced;
     }
-    mod = material_record(scene, mod);
+    return material_record(scene, mod);
+}
+
+bool see_through(const FlatScene& scene, uint32_t prim, uint32_t inst) {
+    const uint32_t mod = material_of(scene, prim, inst);
     return mod != NONE && material_has(scene.modifiers[mod].type, MT_CLEAR) != 0u;
 }
 

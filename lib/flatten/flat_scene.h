@@ -81,16 +81,16 @@ struct FlatScene : kernels::FlatTables {
     bool absorbs = false;       // some segment may lie in an absorbing medium
     bool functions = false;     // some material's lobes are .cal functions or tables
 
-    std::vector<uint32_t> prim_object;  // scene object of each primitive; NO_OBJECT inside instances
+    std::vector<uint32_t> prim_object;  // scene object of each primitive; inside instances: see inner_names
     static constexpr uint32_t NO_OBJECT = 0xffffffffu;
     std::vector<uint32_t> instance_object;  // the mesh or instance of the scene to which each instance belongs
     // Scene objects of the active sources that are not virtual, which come first, and of all distant surfaces.
     std::vector<uint32_t> source_object, distant_object;
-    // By record, with Options::names.
+    // With Options::names: of each record, and of what instances hold, which prim_object counts (NO_OBJECT: no name).
     struct Name {
-        std::string name, place;  // "office.rad:14"
+        std::string name, type, place;  // "wall", "plastic", "office.rad:14"
     };
-    std::vector<Name> modifier_names;
+    std::vector<Name> modifier_names, inner_names;
 
     Trees built;  // over the geometry, which does not change any more
     // Gives back the memory of what no kernel reads, except names.
@@ -99,6 +99,7 @@ struct FlatScene : kernels::FlatTables {
 
 // A scene whose geometry is still growing.
 struct Draft : FlatScene, Geometry {
+    bool names = false;  // Options::names
     void make_room(size_t more_vertices, size_t more_triangles, size_t more_prims);
     FlatScene finished() &&;
 };
@@ -106,7 +107,10 @@ struct Draft : FlatScene, Geometry {
 // The material of a chain, from record `mod` on; NONE (kernels/tables.h) for none and for mixtures of materials.
 uint32_t material_record(const FlatScene& scene, uint32_t mod);
 
-// Does the eye go on through what a ray met (prim and inst of kernels/bvh/intersect.h)?  MT_CLEAR of its material.
+// That of what a ray met (prim and inst of kernels/bvh/intersect.h).
+uint32_t material_of(const FlatScene& scene, uint32_t prim, uint32_t inst);
+
+// Does the eye go on through what a ray met?  MT_CLEAR of its material.
 bool see_through(const FlatScene& scene, uint32_t prim, uint32_t inst);
 
 }  // namespace flatten

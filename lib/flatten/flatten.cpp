@@ -14,6 +14,7 @@ Room flatten_room(const scene::Scene& scene, const Options& options, const scene
     Room room;
     room.objects = surfaces_end(scene);
     Draft draft;
+    draft.names = options.names;
 
     // Modifiers first, because all other records refer to them: the scene's, then the ones inside its octrees and
     // meshes.

@@ -36,6 +36,28 @@ bool has_normals(const scene::Mesh& mesh, const scene::Mesh::Triangle& t) {
     return true;
 }
 
+// Names the groups one after another, and says which one a triangle is of.
+class GroupNames {
+public:
+    GroupNames(const scene::Mesh& mesh, Draft& out) : mesh_(mesh), out_(out) {}
+    uint32_t of(size_t triangle) {
+        if (!out_.names) return FlatScene::NO_OBJECT;
+        for (; next_ < mesh_.groups.size() && mesh_.groups[next_].first <= triangle; next_++) {
+            const scene::Mesh::Group& g = mesh_.groups[next_];
+            now_ = g.name.empty() ? FlatScene::NO_OBJECT : uint32_t(out_.inner_names.size());
+            if (!g.name.empty())
+                out_.inner_names.push_back({g.name, "mesh", mesh_.path + ":" + std::to_string(g.line)});
+        }
+        return now_;
+    }
+
+private:
+    const scene::Mesh& mesh_;
+    Draft& out_;
+    size_t next_ = 0;
+    uint32_t now_ = FlatScene::NO_OBJECT;
+};
+
 }  // namespace
 
 void flatten_mesh(const scene::Mesh& mesh, const Modifiers* modifiers, const std::vector<int32_t>& materials,
@@ -49,6 +71,7 @@ void flatten_mesh(const scene::Mesh& mesh, const Modifiers* modifiers, const std
     const uint32_t corner_at = uint32_t(out.corners.size());
     if (corners) add_corners(mesh, out);
 
+    GroupNames groups(mesh, out);
     for (const scene::Mesh::Triangle& t : mesh.triangles) {
         uint32_t mod = NONE;
         bool passes = false, clear = false;
@@ -74,7 +97,7 @@ void flatten_mesh(const scene::Mesh& mesh, const Modifiers* modifiers, const std
         kind |= extent_bits(plane.extent_of_triangles(of_tree, 3));
         const uint32_t prim = uint32_t(out.prims.size());
         out.prims.push_back({kind, mod, NONE, packed(normal), plane.offset, uint32_t(out.u.size())});
-        out.prim_object.push_back(FlatScene::NO_OBJECT);
+        out.prim_object.push_back(groups.of(size_t(&t - mesh.triangles.data())));
         out.triangles.insert(out.triangles.end(), {t.v[0], t.v[1], t.v[2]});
         out.tri_prim.push_back(prim | (passes ? ID_TRANSPARENT : 0u));
         if (passes) out.shadows_need(SHADOW_STRAIGHT);

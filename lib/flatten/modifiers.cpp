@@ -74,7 +74,9 @@ private:
         link.record.flags |= dependence(link);
         out_.record[i] = uint32_t(tables_.records.size());
         tables_.records.push_back(link.record);
-        if (options_.names) tables_.names.push_back({scene_.name(scene_.objects[i]), scene_.place(scene_.objects[i])});
+        if (options_.names)
+            tables_.names.push_back(
+                {scene_.name(scene_.objects[i]), scene::type_name(link.o.type), scene_.place(link.o)});
     }
 
     // Dependence of the modifier and its parts: MF_LOOKS, MF_TOTAL, MF_PLACE.

@@ -56,12 +56,17 @@ private:
         if (modifiers_ && modifiers_->is_clear(o.modifier)) kind |= PRIM_CLEAR;
         const uint32_t mod = modifiers_ ? modifiers_->record[o.modifier] : NONE;
         out_.prims.push_back({kind, mod, NONE, packed(normal), 0, 0});
-        out_.prim_object.push_back(lights_ ? index_of(o) : FlatScene::NO_OBJECT);
+        out_.prim_object.push_back(lights_ ? index_of(o) : inner_name(o));
         tagged = id;
         if (!modifiers_ || (!modifiers_->passes[o.modifier] && !hidden_[index_of(o)])) return id;
         tagged |= ID_TRANSPARENT;
         out_.shadows_need(SHADOW_STRAIGHT);
         return id;
+    }
+    uint32_t inner_name(const Object& o) {
+        if (!out_.names) return FlatScene::NO_OBJECT;
+        out_.inner_names.push_back({scene_.name(o), scene::type_name(o.type), scene_.place(o)});
+        return uint32_t(out_.inner_names.size() - 1);
     }
     uint32_t add_curved_prim(const Object& o, uint32_t kind, const Shape& shape) {
         uint32_t tagged;

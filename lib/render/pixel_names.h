@@ -9,12 +9,15 @@ namespace render {
 
 class Names {
 public:
+    using Name = flatten::FlatScene::Name;
     // tables: of the scene, with Options::names.
     Names(const flatten::FlatScene& tables, const scene::Scene& scene) : tables_(tables), scene_(scene) {}
-    const scene::Object* surface(uint32_t prim, uint32_t inst) const;  // a mesh or instance as a whole; null: none
-    std::string name(const scene::Object* o) const { return o ? scene_.name(*o) : ""; }
-    std::string place(const scene::Object* o) const { return o ? scene_.place(*o) : ""; }
-    std::string modifier(uint32_t record) const;
+    // Inside a mesh or instance: of what it holds, or its own where that has none.
+    Name surface(uint32_t prim, uint32_t inst) const;
+    const scene::Object* object(uint32_t prim, uint32_t inst) const;  // a mesh or instance as a whole; null: none
+    Name name(const scene::Object* o) const;
+    Name modifier(uint32_t record) const;
+    Name material(uint32_t prim, uint32_t inst) const;
     std::string source(uint32_t source) const;  // of a virtual one, with its mirrors
     std::string distant(uint32_t number) const;
 

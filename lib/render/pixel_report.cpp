@@ -94,10 +94,10 @@ private:
         for (const device::RecordedVertex& v : path) {
             row.vertex++;
             if (shared && !v.behind_suffix && !v.at_suffix) continue;
-            const scene::Object* o = v.prim == NO_HIT ? nullptr : names_.surface(v.prim, v.inst);
-            row.surface = names_.name(o);
-            row.place = names_.place(o);
-            row.material = names_.modifier(v.modifier);
+            const Names::Name surface = v.prim == NO_HIT ? Names::Name{} : names_.surface(v.prim, v.inst);
+            row.surface = surface.name;
+            row.place = surface.place;
+            row.material = names_.modifier(v.modifier).name;
             row.has_point = v.prim != NO_HIT;
             row.point = v.point;
             row.lobe = v.lobe;

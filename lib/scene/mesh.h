@@ -24,11 +24,18 @@ struct Mesh {
         uint32_t v[3];     // right-handed: the front is where they run counter-clockwise
         int32_t material;  // see below; VOID = none
     };
+    // Triangles from `first` on, as far as the next group's.
+    struct Group {
+        size_t first;
+        std::string name;  // empty: none
+        uint32_t line;
+    };
     std::string path;
     std::vector<base::Vec3> positions;
     std::vector<Normal> normals;  // empty, or one per position
     std::vector<Uv> uvs;          // empty, or one per position
     std::vector<Triangle> triangles;
+    std::vector<Group> groups;                // .obj: what its o or g names
     Scene materials;                          // .rtm: Triangle::material is an index into its objects
     std::vector<uint32_t> material_lines;     // where each of them is first named
     std::vector<std::string> material_names;  // .obj: Triangle::material is an index into these (lookup_modifier() in

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Wavefront .obj: v, vt, vn, f (any number of corners, indices from 1 or from the end) and usemtl.  Other lines mean
-// nothing here.  A corner "position/texture/normal" becomes one vertex of the mesh; faces are cut into triangles.
+// Wavefront .obj: v, vt, vn, f (any number of corners, indices from 1 or from the end), usemtl, and the names
+// of o and g.  Other lines mean nothing here.  A corner "position/texture/normal" becomes one vertex of the mesh; faces
+// are cut into triangles.
 #include <unordered_map>
 #include "base/error.h"
 #include "base/number.h"
@@ -37,6 +38,7 @@ struct ObjReader {
     std::unordered_map<Corner, uint32_t, CornerHash> vertices;
     std::unordered_map<std::string, int32_t> materials;
     int32_t material = VOID;
+    Mesh::Group group{};  // of the next face
     bool any_normals = false, any_uvs = false;
     std::string place;
     uint32_t in_line = 0;
@@ -97,6 +99,7 @@ struct ObjReader {
     std::vector<uint32_t> face;
     std::vector<base::Vec3> outline;
     void read_face() {
+        if (!group.name.empty() || !mesh.groups.empty()) begin_group();
         face.clear();
         for (std::string_view w; word(w);) face.push_back(vertex(w));
         if (face.size() < 3) base::fail(place, "a face with " + std::to_string(face.size()) + " vertices");
@@ -110,12 +113,23 @@ struct ObjReader {
             mesh.triangles.push_back({{face[t[0]], face[t[1]], face[t[2]]}, material});
     }
 
-    // The rest of the line is the name, blanks and all.
-    void use_material() {
+    void begin_group() {
+        if (!mesh.groups.empty() && mesh.groups.back().line == group.line) return;
+        group.first = mesh.triangles.size();
+        mesh.groups.push_back(group);
+    }
+
+    // The rest of the line, blanks and all.
+    std::string name_of_line() const {
         const char* const blanks = " \t\r";
         const size_t begin = rest.find_first_not_of(blanks);
-        if (begin == std::string_view::npos) base::fail(place, "usemtl without a name");
-        const std::string name(rest.substr(begin, rest.find_last_not_of(blanks) - begin + 1));
+        if (begin == std::string_view::npos) return "";
+        return std::string(rest.substr(begin, rest.find_last_not_of(blanks) - begin + 1));
+    }
+
+    void use_material() {
+        const std::string name = name_of_line();
+        if (name.empty()) base::fail(place, "usemtl without a name");
         const auto [found, fresh] = materials.emplace(name, int32_t(mesh.material_names.size()));
         if (fresh) {
             mesh.material_names.push_back(name);
@@ -142,6 +156,9 @@ struct ObjReader {
             read_face();
         } else if (key == "usemtl") {
             use_material();
+        } else if (key == "o" || key == "g") {
+            group.name = name_of_line();
+            group.line = in_line;
         }
     }
 };

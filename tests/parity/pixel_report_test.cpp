@@ -141,7 +141,8 @@ TEST_CASE("the parts of each light sum to the variance inside the pixel") {
 
 TEST_CASE("surfaces, materials and lights are named with their places") {
     TempFolder folder;
-    const std::string obj = folder.holding("box.obj", "v -1 0 0\nv 1 0 0\nv 0 0 1\nusemtl red\nf 1 2 3\n"),
+    const std::string obj = folder.holding(
+                          "box.obj", "v -1 0 0\nv 1 0 0\nv 0 0 1\nv 0 0 -1\nusemtl red\nf 1 2 3\ng foot\nf 1 4 2\n"),
                       inner = folder.holding("inner.rad",
                                              "void plastic inside 0 0 5 .5 .5 .5 0 0\n"
                                              "inside polygon part 0 0 9 -1 0 0 1 0 0 0 0 1\n"),
@@ -164,18 +165,20 @@ TEST_CASE("surfaces, materials and lights are named with their places") {
     const Picture p = picture_of(opt);
     struct Seen {
         int x;  // pixel, half a unit each
-        std::string surface, material, line, next;
+        std::string surface, material, place, next;
+        int y = 16;
     };
-    for (const Seen& want : {Seen{4, "wall", "red", ":5", ""}, Seen{10, "ball", "red", ":7", ""},
-                             Seen{16, "figure", "red", ":9", ""}, Seen{24, "chair", "inside", ":10", ""},
-                             Seen{30, "glass", "silver", ":11", "dome"}, Seen{20, "", "", "", ""}}) {
+    for (const Seen& want : {Seen{4, "wall", "red", rad + ":5", ""}, Seen{10, "ball", "red", rad + ":7", ""},
+                             Seen{16, "figure", "red", rad + ":9", ""}, Seen{16, "foot", "red", obj + ":7", "", 15},
+                             Seen{24, "part", "inside", inner + ":2", ""},
+                             Seen{30, "glass", "silver", rad + ":11", "dome"}, Seen{20, "", "", "", ""}}) {
         CAPTURE(want.x);
         std::vector<render::PixelRow> rows;
-        p.renderer->explain(p.scene, want.x, 16, 0, 0, [&](const render::PixelRow& row) { rows.push_back(row); });
+        p.renderer->explain(p.scene, want.x, want.y, 0, 0, [&](const render::PixelRow& row) { rows.push_back(row); });
         REQUIRE(!rows.empty());
         CHECK(rows[0].surface == want.surface);
         CHECK(rows[0].material == want.material);
-        CHECK(rows[0].place == (want.line.empty() ? "" : rad + want.line));
+        CHECK(rows[0].place == want.place);
         if (want.surface.empty()) {
             CHECK(rows[0].light == "dome");
             continue;

@@ -109,11 +109,15 @@ export function with_grey(text, thing, value) {
   return with_reals(text, thing, rgb.map((v) => now > 0 ? v * value / now : value));
 }
 
+// How many of its real arguments are places.
+const places = { polygon: Infinity, sphere: 3, bubble: 3, ring: 3, cylinder: 6, tube: 6, cone: 6, cup: 6 };
+export const is_movable = (text, thing) =>
+  thing.command ? !/^!\s*gen(sky|daylit)\b/.test(text.slice(thing.start, thing.end)) : thing.type in places;
+
 // The text with a primitive or a command's surfaces moved along an axis.
 export function with_move(text, thing, axis, by) {
   if (!thing.command) {
-    const points =
-      { polygon: Infinity, sphere: 3, bubble: 3, ring: 3, cylinder: 6, tube: 6, cone: 6, cup: 6 }[thing.type] ?? 0;
+    const points = places[thing.type] ?? 0;
     return with_reals(
       text, thing, reals_of(text, thing).map((v, k) => k < points && k % 3 === axis ? Number((v + by).toFixed(6)) : v));
   }

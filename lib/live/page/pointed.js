@@ -1,13 +1,16 @@
 // What the picture shows at a place, as ptrace names it: surfaces from the eye on, with material, file and line.  A
-// click offers what can be changed there: the material's colour as one grey, what a line repeats and turns, where it
-// stands, a shade.
+// click offers what can be changed there, and nothing else: the material's colour as one grey, what a line repeats and
+// turns, where it stands, a shade for a pane, also behind the slats of a blind.
 import { ask } from '/net.js';
 import { short } from '/picture.js';
-import { colour_of, grey_of, numbers_of, things_in } from '/model_text.js';
+import { colour_of, grey_of, is_movable, numbers_of, things_in } from '/model_text.js';
 import { with_grey, with_move, with_number, with_shade } from '/model_text.js';
 
 const $ = (id) => document.getElementById(id);
 const fields = ['name', 'type', 'place', 'material', 'kind', 'defined', 'point', 'reals'];
+const is_clear = ({ kind }) => /^(glass|trans|dielectric|interface|BSDF|aBSDF)$/.test(kind);
+// Those that are seen: as far as the first one through which nothing is seen.
+const seen_of = (all) => { const end = all.findIndex((s) => !is_clear(s)); return end < 0 ? all : all.slice(0, end + 1); };
 const two = (v) => String(Number(v.toFixed(2))).replace(/^(-?)0\./, '$1.');
 const make = (tag, facts, ...inside) => {
   const e = Object.assign(document.createElement(tag), facts);
@@ -21,7 +24,7 @@ export class Pointed {
     Object.assign(this, { picture, sliders, known: new Map(), edit: null });
   }
 
-  // Surfaces at a pixel, the nearest first; null: not known (any more).
+  // Surfaces at a pixel, the nearest first, and perhaps a pane behind them; null: not known (any more).
   async at(x, y) {
     const p = this.picture();
     if (!p || p.what === 'preview') return null;
@@ -43,7 +46,7 @@ export class Pointed {
 
   // For the line below the picture and the table of sources.
   async words(x, y, last = false) {
-    const all = await this.at(x, y) ?? [], end = all[all.length - 1];
+    const all = seen_of(await this.at(x, y) ?? []), end = all[all.length - 1];
     if (!end) return '';
     if (last) return end.name;
     return `${end.name} (${end.material}, ${end.place})${
@@ -76,8 +79,7 @@ export class Pointed {
     const parts = [make('p', {}, make('strong', {}, name), of_it)];
     if (made && colour_of(made.thing)) parts.push(this.grey(material, defined));
     if (stands) parts.push(...this.place(name, place));
-    const is_pane = type === 'polygon' && /^(glass|trans|dielectric|interface|BSDF|aBSDF)$/.test(kind);
-    const corners = is_pane ? surface.reals.split(' ').map(Number) : [], file = this.shade_file(stands);
+    const corners = is_clear(surface) ? surface.reals.split(' ').map(Number) : [], file = this.shade_file(stands);
     if (corners.length === 12 && file) parts.push(this.shade(name, corners, file));
     return parts;
   }
@@ -110,12 +112,13 @@ export class Pointed {
     const { one: { text }, thing } = this.find(place), all = numbers_of(text, thing), line = place.replace(/.*[/]/, '');
     const several =
       thing.command ? all.map((n, k) => [n, k]).filter(([n]) => n.whole || /^-r[xyz]$/.test(n.option)) : [];
+    const moves = is_movable(text, thing) ? ['moved along x', 'moved along y', 'moved up'] : [];
     return [
       ...several.map(
         ([n, k]) => this.slider(place, n.whole ? 'repeated' : 'turned, degrees', n.whole ? 1 : n.value - 90,
           n.whole ? Math.max(8, 2 * n.value) : n.value + 90, n.value, (v) => two(v),
           (now, at, v) => [with_number(now, numbers_of(now, at)[k], v), `${line}: ${two(n.value)} to ${two(v)}`])),
-      ...['moved along x', 'moved along y', 'moved up'].map(
+      ...moves.map(
         (title, axis) => this.slider(place, title, -1, 1, 0, two,
           (now, at, v, before) => [with_move(now, at, axis, v - before), `${name} ${title} by ${two(v)}`]))
     ];
