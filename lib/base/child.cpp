@@ -4,7 +4,7 @@
 
 #include <fcntl.h>
 #include <signal.h>
-#include <spawn.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -12,42 +12,51 @@
 
 #include "base/descriptor.h"
 
-extern char** environ;
-
 namespace base {
 
+namespace {
+
+// What is to become the child, which shares our memory until then: nothing but system calls.  Returns if it fails.
+void become(char* const* argv, const ChildFiles& files, const sigset_t& signals, bool group, pid_t parent) {
+    const auto is = [](int fd, int instead, int mode) { dup2(fd < 0 ? open("/dev/null", mode) : fd, instead); };
+    if (group) setpgid(0, 0);
+    if (files.ends_with_us && (prctl(PR_SET_PDEATHSIG, SIGTERM) != 0 || getppid() != parent)) return;
+    is(files.in, 0, O_RDONLY);
+    is(files.out, 1, O_WRONLY);
+    is(files.errors, 2, O_WRONLY);
+    for (const int s : {SIGPIPE, SIGXFSZ, SIGINT, SIGTERM}) signal(s, SIG_DFL);
+    sigprocmask(SIG_SETMASK, &signals, nullptr);
+    execvp(argv[0], argv);
+}
+
+}  // namespace
+
 // Signals wait while a child starts, so that none falls between its start and `group`.  A child must not inherit
-// SIGPIPE and the like as we have them: base::run() ignores some.
+// SIGPIPE and the like as we have them: base::run() ignores some.  (posix_spawn() has no PR_SET_PDEATHSIG.)
 int start_child(const std::vector<std::string>& words, const ChildFiles& files, pid_t& child,
                 std::atomic<pid_t>* group) {
-    sigset_t all, before, ordinary;
-    sigfillset(&all);
-    sigemptyset(&ordinary);
-    for (int s : {SIGPIPE, SIGXFSZ, SIGINT, SIGTERM}) sigaddset(&ordinary, s);
-    sigprocmask(SIG_BLOCK, &all, &before);
-
-    posix_spawnattr_t attributes;
-    posix_spawnattr_init(&attributes);
-    posix_spawnattr_setflags(
-        &attributes, short(POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK | (group ? POSIX_SPAWN_SETPGROUP : 0)));
-    posix_spawnattr_setsigdefault(&attributes, &ordinary);
-    posix_spawnattr_setsigmask(&attributes, &before);
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    if (files.in < 0) posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
-    else posix_spawn_file_actions_adddup2(&actions, files.in, 0);
-    posix_spawn_file_actions_adddup2(&actions, files.out, 1);
-    if (files.errors < 0) posix_spawn_file_actions_addopen(&actions, 2, "/dev/null", O_WRONLY, 0);
-    else if (files.errors != 2) posix_spawn_file_actions_adddup2(&actions, files.errors, 2);
-
     std::vector<char*> argv;
     for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
     argv.push_back(nullptr);
-    const int code = posix_spawnp(&child, argv[0], &actions, &attributes, argv.data(), environ);
-    if (code == 0 && group) *group = child;
-    posix_spawn_file_actions_destroy(&actions);
-    posix_spawnattr_destroy(&attributes);
+    int failed[2], code = 0;
+    if (pipe2(failed, O_CLOEXEC) != 0) return errno;
+    sigset_t all, before;
+    sigfillset(&all);
+    sigprocmask(SIG_BLOCK, &all, &before);
+    const pid_t parent = getpid(), started = vfork();
+    if (started == 0) {
+        become(argv.data(), files, before, group, parent);
+        const int why = errno;
+        const ssize_t told = write(failed[1], &why, sizeof why);
+        _exit(told > 0 ? 127 : 126);
+    }
+    child = started;
+    if (started < 0) code = errno;
+    else if (group) *group = child;
     sigprocmask(SIG_SETMASK, &before, nullptr);
+    close(failed[1]);
+    if (started > 0 && read_some(failed[0], reinterpret_cast<char*>(&code), sizeof code) > 0) wait_for_child(child);
+    close(failed[0]);
     return code;
 }
 

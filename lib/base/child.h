@@ -13,7 +13,8 @@ namespace base {
 struct ChildFiles {
     int in = -1;  // -1: an empty standard input
     int out = 1;
-    int errors = 2;  // -1: nowhere
+    int errors = 2;             // -1: nowhere
+    bool ends_with_us = false;  // SIGTERM, if the thread that starts it ends
 };
 
 // Starts a program, found along PATH, with the ordinary signals; errno, 0 if it runs.  group: it has a process group of

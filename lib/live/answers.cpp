@@ -161,9 +161,7 @@ std::optional<Answer> answer_plan(Asked& plan, const Arguments& arguments) {
 }
 
 std::optional<Answer> answer_what(const State& s, const Arguments& arguments) {
-    double x, y;
-    if (!base::parse_real(arguments("x"), x) || !base::parse_real(arguments("y"), y)) return plain(400, "no place");
-    const auto found = s.questions.find(arguments("x") + " " + arguments("y"));
+    const auto found = s.questions.find(place_of(arguments));
     if (found == s.questions.end() || !s.picture) return std::nullopt;
     const std::string edit = std::to_string(s.picture->header.edit.value_or(0)) + "\t", &answer = found->second.answer;
     if (!base::begins_with(answer, edit)) return std::nullopt;
@@ -171,7 +169,7 @@ std::optional<Answer> answer_what(const State& s, const Arguments& arguments) {
 }
 
 bool is_to_be_asked(const State& s, const Arguments& arguments) {
-    const auto found = s.questions.find(arguments("x") + " " + arguments("y"));
+    const auto found = s.questions.find(place_of(arguments));
     return found == s.questions.end() || s.at - found->second.at > patience;
 }
 

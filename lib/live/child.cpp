@@ -17,7 +17,7 @@ Child::Child(const std::vector<std::string>& command, int errors) {
     int in[2], out[2];
     errno = 0;
     if (pipe2(in, O_CLOEXEC) != 0 || pipe2(out, O_CLOEXEC) != 0) base::fail_system("pipe", "cannot be made");
-    errno = base::start_child(command, {in[0], out[1], errors}, pid_);
+    errno = base::start_child(command, {in[0], out[1], errors, true}, pid_);
     close(in[0]);
     close(out[1]);
     input_ = in[1];

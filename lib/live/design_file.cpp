@@ -73,6 +73,7 @@ size_t scene_file(const std::string& name, const State& s, const std::string& wh
 
 std::string design_text(const State& s) {
     const Model& d = s.now;
+    if (d.views.empty() && s.changes == 0) return "";
     std::string out =
         "# A design of luxpipe-live: what has been changed, as a text for -design FILE.\n"
         "# Lines behind a tab belong to the line before them.\n";
@@ -175,7 +176,7 @@ void DesignFile::look(bool last) {
     if (!last && now.design == seen_.design && now.files == seen_.files) return;
     seen_ = now;
     const State state = live_.state();
-    const std::string text = state.now.views.empty() ? "" : design_text(state);
+    const std::string text = design_text(state);
     if (text.empty() || text == written_) return;
     std::string wrong;
     try {

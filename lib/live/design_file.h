@@ -9,7 +9,7 @@
 
 namespace live {
 
-std::string design_text(const State& s);
+std::string design_text(const State& s);  // empty: nothing is known yet
 // The state with the design of the text; regions: those of the text.  Throws Error (place: the file and line) for what
 // is no design of its files.
 State with_design(State s, const std::string& text, const std::string& place, std::string& regions);

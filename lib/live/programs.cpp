@@ -148,11 +148,11 @@ bool Programs::take_row(const std::string& line) {
 
 void Programs::run() {
     Channel control, frames, sums, to_measure, rows, said;
-    Program render(command_.render, {control.out.fd, frames.in.fd, said.in.fd});
-    Program sum(command_.sum, {frames.out.fd, sums.in.fd, said.in.fd});
+    Program render(command_.render, {control.out.fd, frames.in.fd, said.in.fd, true});
+    Program sum(command_.sum, {frames.out.fd, sums.in.fd, said.in.fd, true});
     std::optional<Program> measure;
     if (!command_.measure.empty())
-        measure.emplace(command_.measure, base::ChildFiles{to_measure.out.fd, rows.in.fd, said.in.fd});
+        measure.emplace(command_.measure, base::ChildFiles{to_measure.out.fd, rows.in.fd, said.in.fd, true});
     for (Descriptor* theirs : {&control.out, &frames.out, &frames.in, &sums.in, &to_measure.out, &rows.in, &said.in})
         theirs->leave();
     {

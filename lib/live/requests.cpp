@@ -240,8 +240,11 @@ Answer limit(State& s, const Request& r) {
 }
 
 Answer start_again(State& s, Effects& out) {
-    Pipe& p = s.pipe(Which::picture);
-    if (!p.own || p.stage != Pipe::Stage::ended) return plain(409, "nothing has ended that can be started again");
+    if (!has_ended(s)) return plain(409, "nothing has ended that can be started again");
+    be_gone(s, Message::Cause::programs);
+    for (Pipe& p : s.pipes)
+        if (p.own && p.stage == Pipe::Stage::ended) p.stage = Pipe::Stage::asleep;
+    if (s.pipe(Which::picture).stage == Pipe::Stage::running) return done;
     s.ended.reset();
     start(s, out, Which::picture);
     return done;
@@ -250,7 +253,8 @@ Answer start_again(State& s, Effects& out) {
 // A place of the picture: a question to ptrace, again where no answer has come.
 Answer ask_what(State& s, Effects& out, const Request& r) {
     if (r.deaf) return *r.deaf;
-    const std::string words = r.arguments("x") + " " + r.arguments("y");
+    const std::string words = place_of(r.arguments);
+    if (words.empty()) return plain(400, "no place in the picture");
     if (s.questions.size() > most_questions) s.questions.clear();
     s.questions[words].at = s.at;
     out.push_back(ToPipe{Which::picture, "what " + words + "\n"});

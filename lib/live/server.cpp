@@ -66,13 +66,20 @@ struct Server::State {
     bool ends = false;
     std::condition_variable tick;
     std::thread ticker;
-    std::optional<Asked> sources, report, map;
+    Asked sources, report, map;  // ask in threads of their own, and wake
     Visitors visitors;
     DesignFile design;
     PointFiles points;
 
     State(Live& l, Outbox& c, const ServerOptions& o)
-        : live(l), commands(c), options(o), design(o.design, l), points(o.plan) {
+        : live(l),
+          commands(c),
+          options(o),
+          sources([this] { return find_sources(live, options.sources); }, [this] { wake(); }),
+          report([this] { return find_report(live, options.report, options.plan); }, [this] { wake(); }),
+          map([this] { return find_plan(live, options.plan); }, [this] { wake(); }),
+          design(o.design, l),
+          points(o.plan) {
         live.begin([&](live::State& s) {
             s = with_views(std::move(s), options.views);
             if (options.against == "previous" || options.against == "first") s.against = options.against;
@@ -166,8 +173,8 @@ struct Server::State {
         if (const PageFile* file = page_file(path))
             return send(connection, {MHD_HTTP_OK, std::string(file->type), std::string(file->text)});
         if (path == "/next") return wait_for(connection, request, [&] { return answer_next(live, asked); });
-        if (path == "/sources") return wait_for(connection, request, [&] { return answer_sources(*sources, asked); });
-        if (path == "/plan") return wait_for(connection, request, [&] { return answer_plan(*map, asked); });
+        if (path == "/sources") return wait_for(connection, request, [&] { return answer_sources(sources, asked); });
+        if (path == "/plan") return wait_for(connection, request, [&] { return answer_plan(map, asked); });
         if (path == "/what") {
             if (is_to_be_asked(live.state(), asked)) {
                 const Answer told = live.ask({path, asked, "", "", false, deaf()});
@@ -175,7 +182,7 @@ struct Server::State {
             }
             return wait_for(connection, request, [&] { return answer_what(live.state(), asked); });
         }
-        if (path == "/report") return wait_for(connection, request, [&] { return answer_report(*report, asked); });
+        if (path == "/report") return wait_for(connection, request, [&] { return answer_report(report, asked); });
         if (path == "/facts") return send(connection, facts());
         if (path == "/file" || path == "/overlay") live.look_at_files();
         return send(connection, answer_query(live.state(), path, asked));
@@ -237,10 +244,6 @@ Server::Server(Live& live, Outbox& commands, const ServerOptions& options)
     address.sin_port = htons(uint16_t(options.port));
     if (inet_pton(AF_INET, options.listen.c_str(), &address.sin_addr) != 1)
         base::fail("-listen", "\"" + options.listen + "\" is not an address such as 127.0.0.1");
-    const auto wake = [state = state_.get()] { state->wake(); };
-    state_->sources.emplace([&live, &options] { return find_sources(live, options.sources); }, wake);
-    state_->report.emplace([&live, &options] { return find_report(live, options.report, options.plan); }, wake);
-    state_->map.emplace([&live, &options] { return find_plan(live, options.plan); }, wake);
     errno = 0;
     state_->daemon = MHD_start_daemon(
         MHD_USE_EPOLL_INTERNAL_THREAD | MHD_ALLOW_SUSPEND_RESUME, uint16_t(options.port), nullptr, nullptr,
@@ -262,9 +265,6 @@ Server::~Server() {
     state_->tick.notify_all();
     state_->ticker.join();
     state_->design.look(true);
-    state_->sources.reset();
-    state_->report.reset();
-    state_->map.reset();
     state_->wake();
     MHD_stop_daemon(state_->daemon);
 }

@@ -47,6 +47,11 @@ std::optional<size_t> regions_file(const State& s) {
     return {};
 }
 
+bool has_ended(const State& s) {
+    const auto ended = [](const Pipe& p) { return p.own && p.stage == Pipe::Stage::ended; };
+    return std::any_of(s.pipes.begin(), s.pipes.end(), ended);
+}
+
 namespace {
 
 std::string json_of_variants(const State& s, bool whole) {
@@ -78,7 +83,6 @@ std::string json_of(const State& s, bool whole) {
         all.push_back(m.text);
         if (m.stands) standing.push_back(m);
     }
-    const Pipe& p = s.pipe(Which::picture);
     return json::object({
         {"texts", texts},
         {"edits",
@@ -104,7 +108,7 @@ std::string json_of(const State& s, bool whole) {
         {"messages", json::list(all)},
         {"current", std::to_string(standing.size())},
         {"paused", json::truth(s.paused)},
-        {"again", json::truth(p.own && p.stage == Pipe::Stage::ended)},  // its programs can be started again
+        {"again", json::truth(has_ended(s))},
     });
 }
 

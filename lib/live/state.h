@@ -167,6 +167,7 @@ const Variant* find_variant(const Model& model, const std::string& name);
 const Result* result_of(const State& s, const Look& look);
 std::string against_of(const State& s);  // for vcmetrics -against
 bool plan_waits(const State& s);         // for the model of the page
+bool has_ended(const State& s);          // a program that can be started again
 std::optional<size_t> regions_file(const State& s);
 // For the page, without the texts.  whole: with the numbers of variants, which change with each row.
 std::string json_of(const State& s, bool whole = true);

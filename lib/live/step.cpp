@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "base/number.h"
+#include "live/json.h"
 #include "live/steps.h"
 
 namespace live {
@@ -56,6 +58,13 @@ std::string one_line(std::string words) {
     for (char& c : words)
         if ((unsigned char)c < ' ') c = ' ';
     return words.substr(0, most_words);
+}
+
+std::string place_of(const Arguments& arguments) {
+    std::vector<std::string> place;
+    for (const char* name : {"x", "y"})
+        if (double v; base::parse_real(arguments(name), v) && v >= 0 && v <= 1) place.push_back(json::number(v));
+    return place.size() == 2 ? place[0] + " " + place[1] : "";
 }
 
 void change(State& s, const std::string& words, const std::function<void(Model&)>& how, bool joins) {
@@ -119,7 +128,7 @@ void start(State& s, Effects& out, Which which) {
     p.rests = true;
     ++p.starts;
     out.push_back(Start{which});
-    if (which == Which::picture) tell(s, out, words_of_opening);
+    if (which == Which::picture) s.paused = false, s.preview.reset(), tell(s, out, words_of_opening);
     if (which == Which::day) out.push_back(ToPipe{which, size_of_hours});
 }
 

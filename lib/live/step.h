@@ -20,6 +20,7 @@ Answer plain(unsigned status, const std::string& text);
 
 // The value of an argument of the question; empty if it is not there.
 using Arguments = std::function<std::string(const char* name)>;
+std::string place_of(const Arguments& arguments);  // "0.25 1": x and y, fractions of the picture; empty: they are none
 
 // ---- what happens
 

@@ -14,6 +14,9 @@ struct Command {
     std::string word, rest;                          // the first word of the line, and what follows it
     std::optional<std::string> text = std::nullopt;  // of "overlay FILE BYTES", whose rest is FILE
 
+    std::string file() const {  // of an overlay, also of one without a text: "FILE -"
+        return text ? rest : rest.substr(0, rest.find_last_not_of(" \t", rest.size() - 2) + 1);
+    }
     bool reads_files() const { return word == "scene" || word == "overlay"; }
 };
 

@@ -17,6 +17,13 @@ constexpr int looks_for_gone = 15;  // for a missing or empty file: editors move
 
 bool is_pause(const Command& c) { return c.word == "pause" && c.rest.empty(); }
 
+// Does it ask for nothing but these texts?
+bool is_read(const Command& c, const base::Overlays& texts) {
+    if (c.word != "overlay") return !c.reads_files();
+    const auto text = base::overlay_of(texts, base::stamp_of(c.file()));
+    return text && c.text ? *text == *c.text : !text && !c.text;
+}
+
 }  // namespace
 
 bool Control::is_edit(const Command& c) const {
@@ -24,9 +31,16 @@ bool Control::is_edit(const Command& c) const {
     return c.word != "next" && c.word != "what" && !is_pause(c);
 }
 
-void Control::set_preview(bool preview) {
+bool Control::is_deaf() const {
+    const auto ends = [](const Command& c) { return c.word == "go"; };
+    return deaf_until_ > Clock::now() && std::none_of(commands_.begin(), commands_.end(), ends);
+}
+
+void Control::set_preview(bool preview, Clock::time_point deaf_until, base::Overlays texts) {
     const std::lock_guard<std::mutex> hold(lock_);
     preview_ = preview;
+    deaf_until_ = deaf_until;
+    texts_ = std::move(texts);
     look_for_wish();
 }
 
@@ -53,8 +67,8 @@ void Control::look_for_wish() {
     const auto first = std::find_if(commands_.begin(), commands_.end(), decides);
     const size_t pauses = size_t(std::count_if(commands_.begin(), commands_.end(), is_pause));
     using device::Wish;
-    const bool edit = first != commands_.end() && is_edit(*first);
-    const auto reads = [](const Command& c) { return c.reads_files(); };
+    const bool edit = first != commands_.end() && is_edit(*first) && !is_deaf();
+    const auto reads = [this](const Command& c) { return !is_read(c, texts_); };
     files_wait_ = edit && std::any_of(first, commands_.end(), reads);
     wish_ = edit ? Wish::end : !commands_.empty() && commands_.size() == pauses ? Wish::wait : Wish::go_on;
 }
@@ -87,6 +101,7 @@ void Control::listen() {
             base::warn(e.where, e.message);
         }
         if (watch_) look_at_files();
+        if (const std::lock_guard<std::mutex> hold(lock_); deaf_until_ != Clock::time_point()) look_for_wish();
         if (wish_ == device::Wish::wait && (base::shutdown_requested() || base::stdout_is_closed()))
             wish_ = device::Wish::go_on;  // nobody is left to wait for
         if (reader_) reader_->wait(wait_ms);
@@ -94,12 +109,13 @@ void Control::listen() {
     }
 }
 
-std::optional<Command> Control::take() {
+std::optional<Command> Control::take(bool next_too) {
     std::unique_lock<std::mutex> hold(lock_);
-    if (paused_ && commands_.empty()) arrived_.wait_for(hold, std::chrono::milliseconds(patience_ms));
+    if (paused_ && commands_.empty() && next_too) arrived_.wait_for(hold, std::chrono::milliseconds(patience_ms));
     if (commands_.empty()) return std::nullopt;
-    if (edited() && !is_edit(commands_.front())) return std::nullopt;  // it applies to the picture after the edit
     Command command = commands_.front();
+    if (is_edit(command) ? is_deaf() : command.word == "next" && !next_too) return std::nullopt;
+    if (edited() && !is_edit(command)) return std::nullopt;  // it applies to the picture after the edit
     commands_.pop_front();
     look_for_wish();
     return command;
@@ -116,14 +132,20 @@ bool Control::ends_picture(const std::string& label) {
     ends_ = false;
     while (thread_.joinable()) {
         while (!ends_) {
-            const std::optional<Command> command = take();
+            const std::optional<Command> command = take(true);
             if (!command) break;
             carry_out(*command, label);
         }
+        set_preview(preview_);
         if (ends_ || edited() || !paused_ || base::shutdown_requested()) break;
         if (base::stdout_is_closed()) throw base::ClosedPipe{};
     }
     return ends_;
+}
+
+std::vector<Command> Control::take_edits() {
+    while (const std::optional<Command> command = take(false)) carry_out(*command, "");
+    return std::exchange(edits_, {});
 }
 
 void Control::wait_for_edit(const std::string& label, bool next_ends) {

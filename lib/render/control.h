@@ -4,6 +4,7 @@
 // inotify: network folders have no events, every way of saving is covered, and 50 files cost 50 us.
 #pragma once
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <functional>
@@ -41,19 +42,23 @@ public:
     // end: an edit waits, so the current frame need not be finished; wait: it is paused (device::Device::heed).
     const std::atomic<device::Wish>& wish() const { return wish_; }
     bool edit_waits() const { return wish_ == device::Wish::end; }
-    bool files_wait() const { return files_wait_; }  // an edit of them waits, so they need not be read to the end
-    std::vector<Command> take_edits() { return std::exchange(edits_, {}); }
+    bool files_wait() const { return files_wait_; }  // others are asked for, so they need not be read to the end
+    // With those that have come since, up to a "next", which is of the picture that goes on if they fail.
+    std::vector<Command> take_edits();
     // Called when nothing is left to render: waits for an edit, a signal or, if it ends the picture of this label,
     // "next".
     void wait_for_edit(const std::string& label, bool next_ends);
-    // The current picture is a preview, which "go" turns into a full picture.
-    void set_preview(bool preview);
+    // The current picture is a preview, which "go" turns into a full picture.  Edits before "go" are not heard until
+    // this time, or the end of its first frame.  texts: that are read for it.
+    using Clock = std::chrono::steady_clock;
+    void set_preview(bool preview, Clock::time_point deaf_until = {}, base::Overlays texts = {});
 
 private:
     void listen();
     void look_at_files();
     void send(const Command& command);
-    std::optional<Command> take();
+    std::optional<Command> take(bool next_too);
+    bool is_deaf() const;
     bool is_edit(const Command& command) const;
     void look_for_wish();
     void carry_out(const Command& command, const std::string& label);
@@ -72,6 +77,8 @@ private:
     int steady_ = 0;                // number of looks without a change of state
     std::atomic<bool> leaves_{false};
     bool paused_ = false, ends_ = false, preview_ = false;
+    Clock::time_point deaf_until_;
+    base::Overlays texts_;
     std::thread thread_;
 };
 

@@ -107,6 +107,22 @@ check 'nor does a signal wait for it' '
     live > live.str 2> said & p=$!
     exec 9> ctl; frames 0; overlay million.rad >&9; sleep 2; from=$SECONDS; kill -TERM $p; exec 9>&-
     s=0; wait $p || s=$?; [ $s = 3 ]; [ $((SECONDS - from)) -lt 10 ]'
+# Slats whose reading takes longer than a twentieth of a second, after which others follow.
+drag() {
+    for k in $(seq 400); do
+        ! grep -aq "^EDIT=[2-9]" live.str || return 0
+        sed "s/-a 20 /-a $((30000 + k % 2)) /" $office/blind.rad > some.rad; overlay some.rad >&9; sleep .05
+    done
+    return 1
+}
+check 'a drag whose next step comes before a step is read shows pictures all the same' '
+    live > live.str 2> said & p=$!
+    exec 9> ctl; frames 0; echo preview >&9; s=0; drag || s=$?; exec 9>&-; kill $p; wait $p || :; [ $s = 0 ]'
+check 'a "next" that arrives while an edit fails ends the picture that goes on' '
+    live > live.str 2> said & p=$!
+    exec 9> ctl; frames 0; printf "overlay blind.rad 7\nbroken\nnext\n" >&9
+    for i in $(seq 200); do kill -0 $p 2> /dev/null || break; sleep .1; done; ! kill $p 2> /dev/null; exec 9>&-
+    wait $p; grep -q "^ptrace: blind.rad:2: " said'
 check 'an unknown word and a line without end are reported' '
     (sleep .5; echo "jump up"; head -c 70000 /dev/zero | tr "\0" x; echo; echo next) > ctl &
     timeout 100 ptrace -x 24 -y 24 -moments- -control ctl $desk $scene 2> said | cat > /dev/null
