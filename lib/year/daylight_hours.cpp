@@ -47,6 +47,9 @@ DaylightHours daylight_hours(const weather::Weather& year) {
     const auto earlier = [](const weather::Time& a, const weather::Time& b) {
         return a.minute_of_year() < b.minute_of_year();
     };
+    for (const weather::Hour& h : year.hours)
+        if (h.direct_wm2 == 0 && h.diffuse_wm2 == 0) out.unlit.push_back(h.time.minute_of_year());
+    std::sort(out.unlit.begin(), out.unlit.end());
     std::sort(out.lit.begin(), out.lit.end(), earlier);
     std::sort(out.dark.begin(), out.dark.end(), earlier);
     return out;
@@ -54,7 +57,14 @@ DaylightHours daylight_hours(const weather::Weather& year) {
 
 std::vector<size_t> hours_in(const DaylightHours& daylight, const Grid& grid) {
     std::unordered_map<int, size_t> at;
-    for (size_t i = 0; i < grid.hours.size(); ++i) at[grid.hours[i].time.minute_of_year()] = i;
+    for (size_t i = 0; i < grid.hours.size(); ++i) {
+        const GridHour& h = grid.hours[i];
+        const int minute = h.time.minute_of_year();
+        at[minute] = i;
+        if (std::binary_search(daylight.unlit.begin(), daylight.unlit.end(), minute) && !is_dark(h) && !is_missing(h))
+            base::fail(grid.name, name_of(h.time) + " has light, for which " + daylight.path +
+                                      " has none: the table is of another weather file");
+    }
     std::vector<size_t> found;
     std::vector<const weather::Time*> missing;
     for (const weather::Time& time : daylight.lit) {

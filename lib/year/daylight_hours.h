@@ -15,6 +15,7 @@ struct DaylightHours {
     size_t hours = 0;                 // half of the year's: 4380
     std::vector<weather::Time> lit;   // those of them that are not dark, by time
     std::vector<weather::Time> dark;  // the others: 0 lx everywhere
+    std::vector<int> unlit = {};      // minutes of the year of all hours for which the file has no light, rising
 };
 
 // Of hours that are alike the earlier ones.  Throws Error (place: the file, or the line) where the file has no whole
@@ -22,7 +23,7 @@ struct DaylightHours {
 DaylightHours daylight_hours(const weather::Weather& year);
 
 // Their indices in grid.hours; dark ones need not be there.  Throws Error (place: the grid) where others are missing,
-// or where the table has an hour that the file has not.
+// or where the table has light and the file has none.
 std::vector<size_t> hours_in(const DaylightHours& daylight, const Grid& grid);
 
 }  // namespace year

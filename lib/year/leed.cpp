@@ -57,8 +57,8 @@ Leed judge_leed(const std::vector<GridYear>& spaces, const Goals& goals) {
 
 std::string lines_of(const Leed& l) {
     std::string text =
-        fmt::format("LEED v4.1 option 1: {}, sDA {} of {} sensors in {} spaces\n", counted(l.low, l.high, "point"),
-                    percent_text(l.spatial), l.sensors, l.spaces.size());
+        fmt::format("LEED v4.1 option 1: {}, sDA {} of {} sensors in {}\n", counted(l.low, l.high, "point"),
+                    percent_text(l.spatial), l.sensors, counted(int(l.spaces.size()), int(l.spaces.size()), "space"));
     text +=
         fmt::format("each      {} of the spaces have 55 %: {}\n",
                     std::count_if(l.spaces.begin(), l.spaces.end(),

@@ -154,6 +154,13 @@ TEST_CASE("hours that are missing are named") {
         "those of the whole year");
 }
 
+TEST_CASE("a table with light where the weather file has none is another file's") {
+    const DaylightHours d = daylight_hours(weather_of(0, [](int, int hour) { return hour < 9 ? 0. : 50.; }));
+    CHECK(error_text([&] {
+              hours_in(d, grid_of({{0, 0, 5}}));
+          }) == "floor: 0101_0230 has light, for which site.wea has none: the table is of another weather file");
+}
+
 TEST_CASE("daylight hours are the half of the year with the most diffuse irradiance, of equal ones the earlier") {
     // Noon to one o'clock the brightest, the later hours of each day less, the morning without.
     const auto by_clock = [](int, int hour) { return hour < 12 ? 0. : 100. - hour; };
