@@ -57,6 +57,12 @@ check 'the mean daylight factor, of a sky without an hour' '
     vcyear -overcast even.tsv 562.35 -format csv all.tsv | head -n 1 | grep -q ",DF,DF.lo,DF.hi$"'
 check_error 'of all grids' 1 '^vcyear: -overcast: has no grid "free"$' '
     grep -v free even.tsv > part.tsv; vcyear -overcast part.tsv 500 all.tsv'
+check_error 'months are counted of hours' 1 '^vcyear: -months: counts no month for -en17037, -sunlight, -overcast and' '
+    vcyear -months -leed all.tsv'
+check_error 'points of LEED are text' 1 '^vcyear: -leed: is lines of text, without -format and -each$' '
+    vcyear -leed -each all.tsv'
+check_error 'and of its own limits' 1 '^vcyear: -leed: asks 300 lx in 50 % of the hours and 1000 lx in 250' '
+    vcyear -leed -sda 500 50 all.tsv'
 check 'hours that share their paths say so, in all formats, and are counted in half-samples' '
     shared() {
         ptrace -w- -seed ${seed:-1} -points desk.pts -points free.pts -wea y.wea -frames 9 roof.rad 2> said |
