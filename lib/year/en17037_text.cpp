@@ -37,6 +37,12 @@ void add_levels(report::Line& line, const std::string& name, int low, int high) 
     report::add(line, name + ".worst", report::text_cell(level_name(low)));
 }
 
+void add_shares(report::Line& line, const std::string& name, const DaylightShares& shares) {
+    for (size_t k = 0; k < shares.size(); ++k)
+        report::add_bounds(line, fmt::format("{}_{:g}", name, provision_lux[k]), shares[k].value, shares[k].low,
+                           shares[k].high);
+}
+
 }  // namespace
 
 std::string lines_of(const Provision& p) {
@@ -50,10 +56,10 @@ std::string lines_of(const Provision& p) {
 
 void add(report::Line& line, const Provision& p) {
     add_levels(line, "provision", p.low, p.high);
-    for (size_t k = 0; k < provision_lux.size(); ++k)
-        report::add_bounds(line, fmt::format("plane_{:g}", provision_lux[k]), p.plane[k].value, p.plane[k].low,
-                           p.plane[k].high);
+    add_shares(line, "plane", p.plane);
 }
+
+void add(report::Line& line, const DaylightShares& sensor) { add_shares(line, "daylight", sensor); }
 
 std::string line_of(const Sunlight& s) {
     const std::string best = s.days > 1 ? fmt::format(", the best of {} days", s.days) : "";

@@ -12,6 +12,7 @@ namespace year {
 // The level and, below high, what lacks to the next one.
 std::string lines_of(const Provision& provision);
 void add(report::Line& line, const Provision& provision);
+void add(report::Line& line, const DaylightShares& sensor);
 
 std::string line_of(const Sunlight& sunlight);
 void add(report::Line& line, const Sunlight& sunlight);

@@ -41,16 +41,21 @@ bool is_met(const Demand& demand, double share) { return share >= demand.share -
 
 Provision judge_provision(const Grid& grid, const DaylightHours& daylight, bool rooflight, double alpha) {
     const std::vector<size_t> hours = hours_in(daylight, grid);
-    const double strata = strata_over(grid, hours), half = double(daylight.hours) / 2;
+    const double strata = strata_over(grid, hours);
+    const double share = 1 / double(daylight.hours);
     std::array<std::vector<Number>, provision_lux.size()> has;
-    for (size_t i = 0; i < grid.sensors(); ++i) {
-        const SensorHours of = hours_of(grid, hours, i);
-        for (size_t k = 0; k < has.size(); ++k)
-            has[k].push_back(reached(count(of, provision_lux[k], INFINITY, alpha, 1), half - count_rounding));
-    }
     Provision p;
     p.rooflight = rooflight;
     p.hours = daylight.hours;
+    for (size_t i = 0; i < grid.sensors(); ++i) {
+        const SensorHours of = hours_of(grid, hours, i);
+        DaylightShares& sensor = p.sensors.emplace_back();
+        for (size_t k = 0; k < has.size(); ++k) {
+            const Number n = count(of, provision_lux[k], INFINITY, alpha, share);
+            sensor[k] = n.limits;
+            has[k].push_back(reached(n, .5 - count_rounding));
+        }
+    }
     for (size_t k = 0; k < has.size(); ++k) p.plane[k] = mean(has[k], strata, alpha);
     p.level = level_of(rooflight, [&](size_t k) { return p.plane[k].value; });
     p.low = level_of(rooflight, [&](size_t k) { return p.plane[k].low; });

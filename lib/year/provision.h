@@ -22,10 +22,14 @@ struct Demand {
 };
 std::vector<Demand> demands(int level, bool rooflight);
 
+// Shares of the daylight hours in which a sensor has provision_lux.
+using DaylightShares = std::array<Bounded, provision_lux.size()>;
+
 struct Provision {
-    bool rooflight = false;            // horizontal openings: the target on 95 %, no minimum
-    size_t hours = 0;                  // daylight hours
-    std::array<Bounded, 4> plane;      // share of the sensors that have provision_lux in half of them
+    bool rooflight = false;        // horizontal openings: the target on 95 %, no minimum
+    size_t hours = 0;              // daylight hours
+    std::array<Bounded, 4> plane;  // share of the sensors that have provision_lux in half of them
+    std::vector<DaylightShares> sensors;
     int level = 0, low = 0, high = 0;  // of the values, of the lower and of the upper limits
 };
 

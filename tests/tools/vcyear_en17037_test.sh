@@ -28,6 +28,9 @@ check 'the level, and what lacks to the next one' '
 check 'as a row' '
     vcyear -en17037 site.wea -format csv room.tsv > row; head -n 1 row | grep -q "DAmax.hi,provision,provision.best,"
     tail -n 1 row | grep -q ",minimum,minimum,minimum,0.95,0.95,0.95,0.5,0.5,0.5,0,0,0,0,0,0$"'
+check 'each sensor with its share of the daylight hours' '
+    vcyear -en17037 site.wea -each room.tsv > each; head -n 1 each | grep -q "	daylight_100	.*	daylight_750.hi$"
+    sed -n 2p each | grep -q "	0.5	0.5	0.5	0.5	0.5	0.5	0	0	0	0	0	0$"'
 check 'below a rooflight the target is on 95 %' '
     vcyear -en17037 site.wea -rooflight room.tsv > says; grep -q "^provision EN 17037 none: 300 lx on 50.0 % of" says'
 check_error 'office hours alone are not enough' 1 \

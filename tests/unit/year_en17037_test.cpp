@@ -72,6 +72,10 @@ TEST_CASE("a room by hand: four sensors, eight daylight hours, of which four are
     const Provision p = provision(room, hours_by_day(8));
     CHECK(shares(p) == std::vector<double>{.75, .5, .25, .25});
     CHECK(p.hours == 8);
+    REQUIRE(p.sensors.size() == 4);
+    CHECK(p.sensors[1][0].value == .5);  // 100 lx in four of eight hours
+    CHECK(p.sensors[1][2].value == .25);
+    CHECK(p.sensors[3][3].high == .375);
     CHECK(p.level == 0);  // 100 lx on 75 % is less than 95 %
     CHECK(p.low == 0);
     CHECK(p.high == 0);

@@ -93,6 +93,9 @@ public:
         if (!provisions_.empty()) year::add(row, provisions_[grid]);
         if (!factors_.empty()) year::add(row, factors_[grid]);
     }
+    void add(size_t grid, size_t sensor, report::Line& row) const {
+        if (!provisions_.empty()) year::add(row, provisions_[grid].sensors[sensor]);
+    }
 
 private:
     double outdoor_lux_;
@@ -117,10 +120,11 @@ std::string answer_of_sensors(const Options& o, const std::vector<year::Grid>& g
     std::vector<report::Line> lines;
     std::string text;
     for (size_t g = 0; g < years.size(); ++g) {
-        for (size_t k = 0; k < (o.each ? years[g].sensors.size() : 1); ++k)
+        for (size_t k = 0; k < (o.each ? years[g].sensors.size() : 1); ++k) {
             lines.push_back(o.each ? line_of(years[g], k) : line_of(years[g]));
+            o.each ? additions.add(g, k, lines.back()) : additions.add(g, lines.back());
+        }
         text += year::summary(years[g], o.goals) + additions.lines(g);
-        if (!o.each) additions.add(g, lines.back());
     }
     if (o.leed) text += year::lines_of(year::judge_leed(years, o.goals));
     return o.format || o.each ? report::table(lines, o.format.value_or(report::TableFormat::tsv)) : text;
