@@ -11,6 +11,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+from numbers import Integral
 from pathlib import Path
 from typing import IO, Sequence
 
@@ -23,6 +24,14 @@ class Error(RuntimeError):
     def __init__(self, message: str, status: int = 1):
         super().__init__(message)
         self.status = status
+
+
+def width_and_height(size: int | tuple[int, int]) -> tuple[int, int]:
+    """Pixels of a picture: a square of so many, or both."""
+    both = (size, size) if isinstance(size, Integral) else size
+    if isinstance(both, (tuple, list)) and len(both) == 2 and all(isinstance(n, Integral) for n in both):
+        return int(both[0]), int(both[1])
+    raise ValueError(f"size: {size!r} is neither a number of pixels nor (width, height)")
 
 
 def program(name: str) -> str:

@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Iterator, Sequence, Union
 
 from . import _stream
-from ._programs import Error, last_line, program, run
+from ._programs import Error, last_line, program, run, width_and_height
 from ._result import Result
 
 if TYPE_CHECKING:
@@ -136,7 +136,7 @@ def frames(scene: PathLike | Sequence[PathLike], view: PathLike | Sequence[str],
         >>> [step.frames for step in luxpipe.frames(scene, office / "view.vf", size=32, max_frames=4)]
         [0, 1, 2, 3]
     """
-    width, height = (size, size) if isinstance(size, int) else size
+    width, height = width_and_height(size)
     trace = [*view_options(view), "-x", str(width), "-y", str(height), "-seed", str(seed)]
     measure = [*_measure_options(metrics, ci, regions), *measure_options]
     for option, value in (("-until", until), ("-max-frames", max_frames), ("-max-seconds", max_seconds)):

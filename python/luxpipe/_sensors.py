@@ -48,6 +48,9 @@ def sensors(scene: PathLike | Sequence[PathLike], points: PathLike | Sequence[Pa
         if not given:
             raise ValueError("no points are given")
         if not isinstance(given[0], (str, os.PathLike)):
+            for k, point in enumerate(given, 1):
+                if len(point) != 6:
+                    raise ValueError(f"points: row {k} has {len(point)} numbers, not six: x y z dx dy dz")
             rows_of_points = "".join(" ".join(repr(float(x)) for x in point) + "\n" for point in given)
             given = [Path(folder, "points")]
             given[0].write_text(rows_of_points)

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import html
 import json
 import os
 import subprocess
@@ -10,7 +11,7 @@ import tempfile
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Sequence
 
-from ._programs import Error, last_line, program, run
+from ._programs import Error, last_line, program, run, width_and_height
 from ._render import PathLike, _files, view_options
 
 if TYPE_CHECKING:
@@ -49,7 +50,10 @@ class Year:
     @property
     def hours(self) -> pandas.DataFrame:
         """A pandas table, a row for each hour and view, by date (of 2001) and hour."""
-        import pandas
+        try:
+            import pandas
+        except ImportError:
+            raise ImportError("Year.hours is a table of pandas, which is not installed; Year.lines needs none") from None
         table = pandas.DataFrame(self.lines)
         table["time"] = pandas.to_datetime("2001" + table["sky"].str.replace("0229", "0301"), format="%Y%m%d_%H%M")
         return table.set_index("time")
@@ -65,6 +69,9 @@ class Year:
         with tempfile.TemporaryDirectory() as folder:
             self.plot(Path(folder, "year.svg"))
             return Path(folder, "year.svg").read_text()
+
+    def _repr_html_(self) -> str:
+        return f"<pre>{html.escape(self.text)}</pre>{self._repr_svg_()}"
 
 
 def year(scene: PathLike | Sequence[PathLike], view: PathLike | Sequence[str], weather: PathLike, *,
@@ -88,7 +95,7 @@ def year(scene: PathLike | Sequence[PathLike], view: PathLike | Sequence[str], w
         >>> y = luxpipe.year(scene, office / "view.vf", "site.epw", hours="0321 9-15", size=32)  # doctest: +SKIP
         >>> print(y)                                                                            # doctest: +SKIP
     """
-    width, height = (size, size) if isinstance(size, int) else size
+    width, height = width_and_height(size)
     trace = [*view_options(view), "-x", str(width), "-y", str(height), "-seed", str(seed), "-frames", str(frames),
              "-wea", os.fspath(weather), "-hours", hours, *options, *_files(scene)]
     said = {name: tempfile.TemporaryFile() for name in ("ptrace", "ptaccum", "vcmetrics")}

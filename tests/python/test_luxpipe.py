@@ -264,3 +264,9 @@ def test_types():
     top = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
     done = subprocess.run([sys.executable, "-m", "mypy", "--no-incremental"], cwd=top, capture_output=True, text=True)
     assert done.returncode == 0, done.stdout
+
+
+@pytest.mark.parametrize("size", ["256", (1, 2, 3), 3.5])
+def test_a_size_is_pixels_or_two_numbers_of_them(size):
+    with pytest.raises(ValueError, match=r"^size: .* is neither a number of pixels nor \(width, height\)$"):
+        luxpipe.render(SCENE, VIEW, size=size)

@@ -121,3 +121,8 @@ def test_sensors(sky, tmp_path):
         luxpipe.sensors(sky, [(1, 2, 3)])
     with pytest.raises(ValueError, match="no points"):
         luxpipe.sensors(sky, [])
+
+
+def test_a_point_of_three_numbers_is_named_by_its_row():
+    with pytest.raises(ValueError, match=r"^points: row 2 has 3 numbers, not six: x y z dx dy dz$"):
+        luxpipe.sensors(SCENE, [(1, 2, .8, 0, 0, 1), (1, 2, 3)])

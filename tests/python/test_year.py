@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A few hours of a year from Python: the numbers of the pipe, a table, a map, errors."""
 
+import sys
+
 import luxpipe
 import pytest
 from conftest import SCENE, VIEW
@@ -41,6 +43,8 @@ def test_a_year_has_lines_summary_and_text(year):
 
 def test_its_map_is_shown_and_saved(year, tmp_path):
     assert year._repr_svg_().startswith("<svg")
+    shown = year._repr_html_()
+    assert all(line in shown for line in str(year).splitlines()) and "<svg" in shown
     year.plot(tmp_path / "year.png")
     assert (tmp_path / "year.png").read_bytes()[1:4] == b"PNG"
 
@@ -59,3 +63,9 @@ def test_a_scene_with_a_sky_is_an_error(weather):
 def test_errors_are_ptraces_line(weather):
     with pytest.raises(luxpipe.Error, match="ptrace: -hours: .* means no hour"):
         luxpipe.year(SCENE[:2], VIEW, weather, hours="Dec", size=24)
+
+
+def test_without_pandas_a_sentence_says_what_needs_none(year, monkeypatch):
+    monkeypatch.setitem(sys.modules, "pandas", None)
+    with pytest.raises(ImportError, match="Year.lines needs none"):
+        year.hours
