@@ -53,7 +53,8 @@ class Year:
         try:
             import pandas
         except ImportError:
-            raise ImportError("Year.hours is a table of pandas, which is not installed; Year.lines needs none") from None
+            raise ImportError("Year.hours is a table of pandas, which is not installed; Year.lines needs none") \
+                from None
         table = pandas.DataFrame(self.lines)
         table["time"] = pandas.to_datetime("2001" + table["sky"].str.replace("0229", "0301"), format="%Y%m%d_%H%M")
         return table.set_index("time")
