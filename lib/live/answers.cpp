@@ -40,7 +40,7 @@ std::optional<size_t> count(const Arguments& arguments, const char* name) {
 std::string table(const display::ColourTable& t) {
     std::vector<double> colours;
     for (const display::Colour& c : t.colours) colours.insert(colours.end(), c.begin(), c.end());
-    return "{\"thresholds\":" + json::numbers(t.thresholds) + ",\"colours\":" + json::numbers(colours) + "}";
+    return json::object({{"thresholds", json::numbers(t.thresholds)}, {"colours", json::numbers(colours)}});
 }
 
 Answer falsecolor(const Arguments& arguments) {
@@ -55,18 +55,20 @@ Answer falsecolor(const Arguments& arguments) {
     return {200, "application/json", table(display::falsecolor_table({top, o.decades}, o))};
 }
 
-// Facts of a picture that the page needs to show it.
-std::string facts(const image::Picture& p) {
+// Adds what the page needs of a picture to show it.
+std::string with_facts(json::Members all, const image::Picture& p) {
     const image::Header& h = p.header;
     const display::Exposure e = display::automatic_exposure(p);
-    std::string out =
-        ",\"width\":" + std::to_string(p.width) + ",\"height\":" + std::to_string(p.height) +
-        ",\"aspect\":" + json::number(h.pixel_aspect) + ",\"exposure\":" + json::numbers({e.scale, e.white2}) +
-        ",\"top\":" + json::number(display::falsecolor_scale(p, {}).top) + ",\"name\":" + json::text(image::label(h));
-    if (h.frames) out += ",\"frames\":" + std::to_string(*h.frames);
-    if (h.edit) out += ",\"edit\":" + std::to_string(*h.edit) + ",\"what\":" + json::text(h.edited);
-    if (h.view) out += ",\"view\":" + json::text(view::to_options(*h.view));
-    return out;
+    all.insert(all.end(), {{"width", std::to_string(p.width)},
+                           {"height", std::to_string(p.height)},
+                           {"aspect", json::number(h.pixel_aspect)},
+                           {"exposure", json::numbers({e.scale, e.white2})},
+                           {"top", json::number(display::falsecolor_scale(p, {}).top)},
+                           {"name", json::text(image::label(h))}});
+    if (h.frames) all.emplace_back("frames", std::to_string(*h.frames));
+    if (h.edit) all.insert(all.end(), {{"edit", std::to_string(*h.edit)}, {"what", json::text(h.edited)}});
+    if (h.view) all.emplace_back("view", json::text(view::to_options(*h.view)));
+    return json::object(all);
 }
 
 const File* named(const State& s, const Arguments& arguments) {
@@ -116,7 +118,7 @@ Answer variant(const State& s, const std::string& name) {
     const Variant* v = find_variant(s.now, name);
     const Result* known = v ? result_of(s, v->look) : nullptr;
     const auto picture = known ? known->picture : name.empty() ? s.before : nullptr;
-    return picture ? packed("{\"picture\":0" + facts(*picture) + "}", picture.get()) : plain(404, "no picture");
+    return picture ? packed(with_facts({{"picture", "0"}}, *picture), picture.get()) : plain(404, "no picture");
 }
 
 }  // namespace
@@ -126,38 +128,22 @@ std::optional<Answer> answer_next(const Live& live, const Arguments& arguments) 
     const auto news =
         live.since({known("picture"), known("line"), known("files"), known("design")}, !arguments("end").empty());
     if (!news) return std::nullopt;
-    std::string text = "{\"picture\":" + std::to_string(news->picture) + ",\"line\":" + std::to_string(news->line) +
-                       ",\"files\":" + std::to_string(news->files) + ",\"design\":" + std::to_string(news->design) +
-                       ",\"lines\":" + json::list(news->lines);
-    if (!news->state.empty()) text += ",\"state\":" + news->state;
-    if (news->ended) text += ",\"ended\":" + std::to_string(*news->ended);
-    if (news->shown) text += facts(*news->shown);
-    return packed(text + "}", news->shown.get());
+    json::Members all{{"picture", std::to_string(news->picture)},
+                      {"line", std::to_string(news->line)},
+                      {"files", std::to_string(news->files)},
+                      {"design", std::to_string(news->design)},
+                      {"lines", json::list(news->lines)}};
+    if (!news->state.empty()) all.emplace_back("state", news->state);
+    if (news->ended) all.emplace_back("ended", std::to_string(*news->ended));
+    return packed(news->shown ? with_facts(all, *news->shown) : json::object(all), news->shown.get());
 }
 
-std::optional<Answer> answer_sources(Asked& sources, const Arguments& arguments) {
-    const auto found = sources.of(count(arguments, "picture").value_or(0));
+std::optional<Answer> answer_asked(Asked& asked, const std::string& option, const Arguments& arguments) {
+    const auto found = asked.of(count(arguments, "picture").value_or(0));
     if (!found) return std::nullopt;
-    if (found->status != 0) return plain(409, "vcmetrics -sources ends with status " + std::to_string(found->status));
-    std::string list = found->text;
-    while (!list.empty() && list.back() == '\n') list.pop_back();
-    std::replace(list.begin(), list.end(), '\n', ',');
-    return Answer{200, "application/json",
-                  "{\"picture\":" + std::to_string(found->picture) + ",\"sources\":[" + list + "]}"};
-}
-
-std::optional<Answer> answer_report(Asked& report, const Arguments& arguments) {
-    const auto found = report.of(count(arguments, "picture").value_or(0));
-    if (!found) return std::nullopt;
-    if (found->status != 0) return plain(409, "vcmetrics -report ends with status " + std::to_string(found->status));
-    return Answer{200, "text/html; charset=utf-8", found->text};
-}
-
-std::optional<Answer> answer_plan(Asked& plan, const Arguments& arguments) {
-    const auto found = plan.of(count(arguments, "picture").value_or(0));
-    if (!found) return std::nullopt;
-    if (found->status != 0) return plain(409, "vcmetrics -over ends with status " + std::to_string(found->status));
-    return Answer{200, "application/json", "{\"number\":" + std::to_string(found->picture) + "," + found->text};
+    if (found->status != 0)
+        return plain(409, "vcmetrics " + option + " ends with status " + std::to_string(found->status));
+    return Answer{200, option == "-report" ? "text/html; charset=utf-8" : "application/json", found->text};
 }
 
 std::optional<Answer> answer_what(const State& s, const Arguments& arguments) {

@@ -10,10 +10,8 @@ namespace live {
 
 // GET /next.  Nothing: there is no news yet.
 std::optional<Answer> answer_next(const Live& live, const Arguments& arguments);
-// GET /sources, /report and /plan.  Nothing: they are not known yet.
-std::optional<Answer> answer_sources(Asked& sources, const Arguments& arguments);
-std::optional<Answer> answer_report(Asked& report, const Arguments& arguments);
-std::optional<Answer> answer_plan(Asked& plan, const Arguments& arguments);
+// GET /sources, /report and /plan, whose option of vcmetrics this is.  Nothing: they are not known yet.
+std::optional<Answer> answer_asked(Asked& asked, const std::string& option, const Arguments& arguments);
 // GET /what: what ptrace says of a place of the newest picture.  Nothing: it has been asked, or is to be.
 std::optional<Answer> answer_what(const State& s, const Arguments& arguments);
 bool is_to_be_asked(const State& s, const Arguments& arguments);

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A question about the newest picture that is answered in a while, in a thread of its own.
 #pragma once
-#include <condition_variable>
-#include <functional>
-#include <mutex>
 #include <optional>
 #include <string>
-#include <thread>
+#include "live/worker.h"
 
 namespace live {
 
@@ -18,22 +15,28 @@ public:
         std::string text;
     };
     // found: called when an answer is there, from that thread.
-    Asked(std::function<Found()> find, std::function<void()> found);
-    ~Asked();
-    Asked(const Asked&) = delete;
+    Asked(std::function<Found()> find, std::function<void()> found)
+        : worker_([this, find = std::move(find), found = std::move(found)] {
+              Found now = find();
+              {
+                  const std::lock_guard<std::mutex> lock(mutex_);
+                  found_ = std::move(now);
+              }
+              found();
+          }) {}
 
     // The answer for this picture or for a newer one.  Nothing: it is not known yet, and the search begins.
-    std::optional<Found> of(size_t picture);
+    std::optional<Found> of(size_t picture) {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        if (found_.picture > 0 && found_.picture >= picture) return found_;
+        worker_.ask();
+        return std::nullopt;
+    }
 
 private:
-    void work();
-    const std::function<Found()> find_;
-    const std::function<void()> found_call_;
     std::mutex mutex_;
-    std::condition_variable asked_;
-    bool wanted_ = false, ends_ = false;
     Found found_;
-    std::thread thread_;
+    Worker worker_;
 };
 
 }  // namespace live

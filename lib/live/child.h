@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The program after "--": it reads what vcview reads, and its output goes where vcview's goes.
+// A program whose standard input and output are ours, such as the one after "--", which reads what vcview reads.
 #pragma once
 #include <sys/types.h>
 
@@ -8,21 +8,29 @@
 
 namespace live {
 
+// A pipe: read from `out`, write to `in`.
+struct Channel {
+    struct End {
+        int fd = -1;
+        ~End() { leave(); }
+        void leave();
+    };
+    End out, in;
+    Channel();  // throws base::Error (system)
+};
+
 class Child {
 public:
     // errors: its standard error; -1: nobody's.  Throws base::Error (system) if there is no such program.
     explicit Child(const std::vector<std::string>& command, int errors = 2);
-    ~Child();
-    Child(const Child&) = delete;
-    Child& operator=(const Child&) = delete;
-    int input() const { return input_; }    // write to it
-    int output() const { return output_; }  // read from it
-    void close_input();
+    int input() const { return in_.in.fd; }     // write to it
+    int output() const { return out_.out.fd; }  // read from it
+    void close_input() { in_.in.leave(); }
     int wait();  // its exit status, 128 + signal if one ended it
 
 private:
     pid_t pid_ = -1;
-    int input_ = -1, output_ = -1;
+    Channel in_, out_;
 };
 
 // A program that reads this input to its end.

@@ -31,13 +31,13 @@ FileNow TextFile::read() const {
     return now;
 }
 
-std::optional<FileWritten> TextFile::write(const std::string& text, const std::string& tag) const {
+bool TextFile::write(const std::string& text, const std::string& tag) const {
     if (kind == Kind::regions && holds_regions(text, path)) region::parse(text, path);
-    FileNow now = read();
+    const FileNow now = read();
     if (!now.trouble.empty()) base::fail(path, now.trouble);
-    if (now.tag != tag) return std::nullopt;
+    if (now.tag != tag) return false;
     image::write_bytes(path, text);
-    return FileWritten{std::move(now.text), base::hash_of(text)};
+    return true;
 }
 
 bool TextFile::changed() {

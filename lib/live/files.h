@@ -17,21 +17,15 @@ struct FileNow {
     std::string trouble;
 };
 
-struct FileWritten {
-    std::string before;  // what stood there
-    std::string tag;     // of what was written
-};
-
 class TextFile {
 public:
     enum class Kind { regions, scene };
     TextFile(std::string name, Kind its, bool may_write) : path(std::move(name)), kind(its), writable(may_write) {}
 
     FileNow read() const;
-    // The text that stood there and the tag of this one, also where another program writes at this moment.  None: the
-    // file is not what the tag says, and stays as it is.  Throws Error for regions that cannot be read, and where it
-    // cannot be written.
-    std::optional<FileWritten> write(const std::string& text, const std::string& tag) const;
+    // False: the file is not what the tag says, and stays as it is.  Throws Error for regions that cannot be read, and
+    // where it cannot be written.
+    bool write(const std::string& text, const std::string& tag) const;
     // Has the file been replaced or written to since the last call?
     bool changed();
 

@@ -22,7 +22,7 @@ std::string number(double v) { return std::isfinite(v) ? fmt::format("{}", v) : 
 std::string list(const std::vector<std::string>& items) { return list_of(items, text); }
 std::string numbers(const std::vector<double>& values) { return list_of(values, number); }
 
-std::string object(const std::vector<std::pair<const char*, std::string>>& members) {
+std::string object(const Members& members) {
     std::string out = "{";
     for (const auto& [name, value] : members) out += (out.size() > 1 ? ",\"" : "\"") + (name + ("\":" + value));
     return out + "}";

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // JSON: the one place where it is written.
 #pragma once
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,8 +17,12 @@ std::string list_of(const ITEMS& items, WRITE&& write) {
     for (const auto& item : items) out += (out.size() > 1 ? "," : "") + write(item);
     return out + "]";
 }
-std::string list(const std::vector<std::string>& items);  // of texts
+std::string list(const std::vector<std::string>& items);             // of texts
+inline std::string pair(int64_t number, const std::string& value) {  // which is JSON already
+    return "[" + std::to_string(number) + "," + value + "]";
+}
 std::string numbers(const std::vector<double>& values);
 // Names, and values that are JSON already.
-std::string object(const std::vector<std::pair<const char*, std::string>>& members);
+using Members = std::vector<std::pair<const char*, std::string>>;
+std::string object(const Members& members);
 }  // namespace live::json

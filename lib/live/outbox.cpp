@@ -13,7 +13,7 @@
 namespace live {
 
 namespace {
-constexpr size_t most_waiting = size_t(64) << 20, block = 1 << 16;
+constexpr size_t most_waiting = size_t(64) << 20, most_at_once = 1 << 16;
 constexpr int patience_ms = 100;  // between looks at the end
 
 bool has_reader(int fd) {
@@ -70,7 +70,7 @@ void Outbox::work() {
         news_.wait(lock, [this] { return ends_ || (end_ && !waiting_.empty()); });
         if (ends_) return;
         const std::shared_ptr<const End> end = end_;
-        const ssize_t n = write(end->fd, waiting_.data(), std::min(waiting_.size(), block));
+        const ssize_t n = write(end->fd, waiting_.data(), std::min(waiting_.size(), most_at_once));
         if (n > 0) waiting_.erase(0, size_t(n));
         else if (errno == EAGAIN) {
             lock.unlock();

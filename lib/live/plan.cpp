@@ -10,14 +10,14 @@ namespace live {
 
 namespace {
 
-constexpr int64_t first_frames = 4;  // of the page's picture
-constexpr double patience = 3;       // seconds for a picture that is asked for; a scene may be broken
+constexpr int64_t first_frames = 4;   // of the page's picture
+constexpr double longest_change = 3;  // seconds for a picture that is asked for; a scene may be broken
 
 // While the picture of a change has no lines yet, moves, or is paused.
 bool rests(const State& s) {
     if (!s.picture || s.picture->header.edited == "preview" || s.preview || s.paused) return true;
     const image::Header& h = s.picture->header;
-    if (s.pipe(Which::picture).look != look_now(s) && s.at - s.asked_at <= patience) return true;
+    if (s.pipe(Which::picture).look != look_now(s) && s.at - s.asked_at <= longest_change) return true;
     return h.frames.value_or(0) < std::min(first_frames, h.last_frame.value_or(first_frames));
 }
 

@@ -16,6 +16,7 @@
 #include "base/descriptor.h"
 #include "base/error.h"
 #include "base/run.h"
+#include "live/child.h"
 #include "live/framer.h"
 
 namespace live {
@@ -23,26 +24,6 @@ namespace live {
 namespace {
 
 constexpr size_t block_size = 1 << 18;
-
-// Closes its descriptor; none: -1.
-struct Descriptor {
-    int fd = -1;
-    ~Descriptor() { leave(); }
-    void leave() {
-        if (fd >= 0) close(fd);
-        fd = -1;
-    }
-};
-
-struct Channel {
-    Descriptor out, in;  // read from, write to
-    Channel() {
-        int ends[2];
-        errno = 0;
-        if (pipe2(ends, O_CLOEXEC) != 0) base::fail_system("pipe", "cannot be made");
-        out.fd = ends[0], in.fd = ends[1];
-    }
-};
 
 struct Program {
     std::string name;
@@ -85,23 +66,23 @@ void read_lines(int descriptor, const std::function<bool(const std::string&)>& t
 }
 
 Programs::Programs(Which which, Command command, Live& live, std::function<void()> ended)
-    : which_(which), command_(std::move(command)), live_(live), ended_(std::move(ended)), thread_([this] { work(); }) {}
+    : which_(which), command_(std::move(command)), live_(live), ended_(std::move(ended)), worker_([this] {
+          try {
+              run();
+          } catch (const base::Error& e) {
+              live_.put(Ended{which_, e.text, int(e.kind)});
+              ended_();
+          }
+      }) {}
 
 Programs::~Programs() {
-    {
-        const std::lock_guard<std::mutex> lock(mutex_);
-        ends_ = true;
-    }
+    ends_ = true;
     end_render();
-    news_.notify_all();
-    thread_.join();
 }
 
 void Programs::start() {
     commands_.to(-1);
-    const std::lock_guard<std::mutex> lock(mutex_);
-    wanted_ = true;
-    news_.notify_all();
+    worker_.ask();
 }
 
 // It finishes its frame; the others end with their input.
@@ -110,23 +91,6 @@ void Programs::end_render() {
     if (render_ < 0) return;
     kill(render_, SIGTERM);
     kill(render_, SIGCONT);
-}
-
-void Programs::work() {
-    for (;;) {
-        {
-            std::unique_lock<std::mutex> lock(mutex_);
-            news_.wait(lock, [this] { return wanted_ || ends_; });
-            if (ends_) return;
-            wanted_ = false;
-        }
-        try {
-            run();
-        } catch (const base::Error& e) {
-            live_.put(Ended{which_, e.text, int(e.kind)});
-            ended_();
-        }
-    }
 }
 
 // Until the sums end, or nobody measures them any more.
@@ -153,7 +117,7 @@ void Programs::run() {
     std::optional<Program> measure;
     if (!command_.measure.empty())
         measure.emplace(command_.measure, base::ChildFiles{to_measure.out.fd, rows.in.fd, said.in.fd, true});
-    for (Descriptor* theirs : {&control.out, &frames.out, &frames.in, &sums.in, &to_measure.out, &rows.in, &said.in})
+    for (Channel::End* theirs : {&control.out, &frames.out, &frames.in, &sums.in, &to_measure.out, &rows.in, &said.in})
         theirs->leave();
     {
         const std::lock_guard<std::mutex> lock(mutex_);

@@ -4,15 +4,15 @@
 #pragma once
 #include <sys/types.h>
 
-#include <condition_variable>
+#include <atomic>
 #include <functional>
 #include <mutex>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "live/live.h"
 #include "live/outbox.h"
+#include "live/worker.h"
 
 namespace live {
 
@@ -35,7 +35,6 @@ public:
     void send(const std::string& bytes) { commands_.put(bytes); }
 
 private:
-    void work();
     void run();
     void pass_sums(int sums, int measure);
     bool take_row(const std::string& line);
@@ -45,11 +44,10 @@ private:
     Live& live_;
     const std::function<void()> ended_;
     std::mutex mutex_;
-    std::condition_variable news_;
-    bool wanted_ = false, ends_ = false;
+    std::atomic<bool> ends_{false};
     pid_t render_ = -1;
     Outbox commands_;
-    std::thread thread_;
+    Worker worker_;
 };
 
 }  // namespace live

@@ -150,7 +150,7 @@ Answer show(State& s, Effects& out, const Request& r, const Variant& v) {
     return changed(s, out, v.name);
 }
 
-Answer variant(State& s, Effects& out, const Request& r) {
+Answer change_variant(State& s, Effects& out, const Request& r) {
     const std::string name = one_line(r.arguments("name")), what = r.arguments("do"), to = one_line(r.arguments("to"));
     const Variant* known = find_variant(s.now, name);
     if (what != "keep" && !known && !(what == "base" && name.empty()))
@@ -279,7 +279,7 @@ Answer answer_to(State& s, Effects& out, const Request& r) {
     if (r.path == "/overlay") return overlay(s, out, r);
     if (r.path == "/undo" || r.path == "/redo") return undo_or_redo(s, out, r, r.path == "/redo");
     if (r.path == "/back") return back(s, out, r);
-    if (r.path == "/variant") return variant(s, out, r);
+    if (r.path == "/variant") return change_variant(s, out, r);
     if (r.path == "/place") return place(s, r);
     return plain(404, "nothing here");
 }

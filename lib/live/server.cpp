@@ -173,8 +173,9 @@ struct Server::State {
         if (const PageFile* file = page_file(path))
             return send(connection, {MHD_HTTP_OK, std::string(file->type), std::string(file->text)});
         if (path == "/next") return wait_for(connection, request, [&] { return answer_next(live, asked); });
-        if (path == "/sources") return wait_for(connection, request, [&] { return answer_sources(sources, asked); });
-        if (path == "/plan") return wait_for(connection, request, [&] { return answer_plan(map, asked); });
+        if (path == "/sources")
+            return wait_for(connection, request, [&] { return answer_asked(sources, "-sources", asked); });
+        if (path == "/plan") return wait_for(connection, request, [&] { return answer_asked(map, "-over", asked); });
         if (path == "/what") {
             if (is_to_be_asked(live.state(), asked)) {
                 const Answer told = live.ask({path, asked, "", "", false, deaf()});
@@ -182,7 +183,8 @@ struct Server::State {
             }
             return wait_for(connection, request, [&] { return answer_what(live.state(), asked); });
         }
-        if (path == "/report") return wait_for(connection, request, [&] { return answer_report(report, asked); });
+        if (path == "/report")
+            return wait_for(connection, request, [&] { return answer_asked(report, "-report", asked); });
         if (path == "/facts") return send(connection, facts());
         if (path == "/file" || path == "/overlay") live.look_at_files();
         return send(connection, answer_query(live.state(), path, asked));

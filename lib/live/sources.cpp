@@ -19,7 +19,7 @@ namespace live {
 
 namespace {
 
-constexpr auto longest_wait = std::chrono::milliseconds(3000),
+constexpr auto longest_try = std::chrono::milliseconds(3000),
                between_tries = std::chrono::milliseconds(50);  // of a report
 
 // vcmetrics' words without these options, which have a value each.
@@ -114,22 +114,28 @@ std::vector<std::string> plan_command(const std::vector<std::string>& command, c
 Asked::Found find_sources(const Live& live, const std::vector<std::string>& command) {
     const auto news = live.since({}, true);
     if (!news || !news->shown) return {};
-    return run_on(*news, command, -1);
+    Asked::Found found = run_on(*news, command, -1);
+    while (!found.text.empty() && found.text.back() == '\n') found.text.pop_back();
+    std::replace(found.text.begin(), found.text.end(), '\n', ',');
+    found.text = json::object({{"picture", std::to_string(found.picture)}, {"sources", "[" + found.text + "]"}});
+    return found;
 }
 
 Asked::Found find_plan(Live& live, const PlanOptions& plan) {
     const double limit_lx = live.state().plan.limit_lx;
     const Drawing d = draw(live, plan, limit_lx, plan.sum + ".svg");
-    return {
-        d.number, d.status,
-        "\"limit\":" + json::number(limit_lx) + ",\"numbers\":" + d.row + ",\"map\":" + base::quoted_json(d.map) + "}"};
+    return {d.number, d.status,
+            json::object({{"number", std::to_string(d.number)},
+                          {"limit", json::number(limit_lx)},
+                          {"numbers", d.row},
+                          {"map", base::quoted_json(d.map)}})};
 }
 
 // -plan, with the maps of the points as the model is now; nothing: there are none.
 static std::vector<std::string> plan_of_report(Live& live, const PlanOptions& plan, const TempFolder& folder) {
     if (plan.sum.empty()) return {};
     const std::string map = folder.name("plan.svg");
-    for (auto waited = between_tries; waited < longest_wait; waited += between_tries) {
+    for (auto waited = between_tries; waited < longest_try; waited += between_tries) {
         const Drawing d = draw(live, plan, live.state().plan.limit_lx, map);
         if (d.status == 0 && !d.is_old) return {"-plan", map, folder.write("plan", d.row + "\n")};
         std::this_thread::sleep_for(between_tries);
@@ -141,7 +147,7 @@ static std::vector<std::string> plan_of_report(Live& live, const PlanOptions& pl
 Asked::Found find_report(Live& live, std::vector<std::string> command, const PlanOptions& plan) {
     std::optional<Live::News> news;
     std::string table;
-    for (auto waited = between_tries; waited < longest_wait && table.empty(); waited += between_tries) {
+    for (auto waited = between_tries; waited < longest_try && table.empty(); waited += between_tries) {
         news = live.since({}, true);
         if (!news || !news->shown) return {};
         if (news->shown->header.edited != "preview") table = table_of(news->lines, news->shown->header);

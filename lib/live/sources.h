@@ -23,7 +23,7 @@ std::vector<std::string> report_command(const std::vector<std::string>& command,
 // vcmetrics with the intervals of that program, of the points in these files.
 std::vector<std::string> plan_command(const std::vector<std::string>& command, const std::vector<std::string>& points);
 
-// text: a JSON object each line.
+// text: the sources as JSON.
 Asked::Found find_sources(const Live& live, const std::vector<std::string>& command);
 // text: the HTML of vcmetrics -report, with the numbers of the line that vcmetrics has printed of this picture.
 Asked::Found find_report(Live& live, std::vector<std::string> command, const PlanOptions& plan);

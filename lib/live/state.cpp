@@ -74,9 +74,12 @@ std::string json_of_steps(const State& s) {
 
 std::string json_of(const State& s, bool whole) {
     size_t n = 0;
-    const std::string texts = json::list_of(s.files, [&](const File& f) {
-        return "[" + std::to_string(f.version) + "," + json::truth(bool(s.now.texts[n++])) + "]";
-    });
+    const auto text = [&](const File& f) {
+        return json::pair(int64_t(f.version), json::truth(bool(s.now.texts[n++])));
+    };
+    const auto edit = [](const auto& e) { return json::pair(e.first, json::text(e.second)); };
+    const auto place = [](const auto& p) { return json::list({p.first, p.second}); };
+    const auto notice = [](const Message& m) { return json::pair(int64_t(m.number), json::text(m.text)); };
     std::vector<std::string> all;
     std::vector<Message> standing;
     for (const Message& m : s.messages) {
@@ -84,14 +87,9 @@ std::string json_of(const State& s, bool whole) {
         if (m.stands) standing.push_back(m);
     }
     return json::object({
-        {"texts", texts},
-        {"edits",
-         json::list_of(s.edits,
-                       [](const auto& e) { return "[" + std::to_string(e.first) + "," + json::text(e.second) + "]"; })},
-        {"places", json::list_of(s.now.places,
-                                 [](const auto& p) {
-                                     return json::list({p.first, p.second});
-                                 })},
+        {"texts", json::list_of(s.files, text)},
+        {"edits", json::list_of(s.edits, edit)},
+        {"places", json::list_of(s.now.places, place)},
         {"variants", json_of_variants(s, whole)},
         {"steps", json_of_steps(s)},
         {"before", std::to_string(s.before ? s.before->header.edit.value_or(0) : -1)},
@@ -101,10 +99,7 @@ std::string json_of(const State& s, bool whole) {
         {"against", json::text(s.against)},
         {"earlier", json::list(s.earlier)},
         {"views", json::list(s.now.views)},
-        {"notices", json::list_of(standing,
-                                  [](const Message& m) {
-                                      return "[" + std::to_string(m.number) + "," + json::text(m.text) + "]";
-                                  })},
+        {"notices", json::list_of(standing, notice)},
         {"messages", json::list(all)},
         {"current", std::to_string(standing.size())},
         {"paused", json::truth(s.paused)},

@@ -69,10 +69,8 @@ check 'the page: no more lines of over 120 columns than 75, and no file but regi
     [ "$(page | xargs awk "length > 120" | wc -l)" -le 75 ]
     ! page | grep -v /regions.js$ | xargs awk "FNR == 301 { print FILENAME }" | grep . >&2'
 
-# Of a library that CMake compiles eight files at a time.
-apart() { grep -l 'UNITY_BUILD OFF' "$TOP"/lib/*/CMakeLists.txt | sed 's,CMakeLists.*,,'; }
-unity() { cxx | grep -E '/(lib|tools)/.*[.]cpp$' | grep -vFf <(apart); }
-export -f apart unity
+unity() { cxx | grep -E '/(lib|tools)/.*[.]cpp$'; }
+export -f unity
 mkdir a b
 printf 'namespace {\nint f(int x) {\n}\nconstexpr int few = 1, many = 2;\n}  // namespace\nint g = 3;\n' > a/one.cpp
 printf 'namespace {\nstruct f {\n};\n}  // namespace\nint g = 3;\nstatic std::set<int> many{1};\n' > a/two.cpp
