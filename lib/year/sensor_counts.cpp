@@ -19,18 +19,25 @@ std::vector<size_t> all_hours(const Grid& grid) {
     return which;
 }
 
+static uncertainty::Shared shared_of(const Grid& grid, const GridHour& h, size_t sensor) {
+    const Lux& e = h.sensors[sensor];
+    uncertainty::Shared s{{double(e.value), double(e.error), 0, 0, h.degrees}, {}};
+    if (grid.strata > 0 && !h.halves.empty()) s.off = uncertainty::off(h.halves[sensor]);
+    return s;
+}
+
 SensorHours hours_of(const Grid& grid, const std::vector<size_t>& which, size_t sensor) {
     SensorHours hours;
     hours.shared = grid.shared, hours.strata = grid.strata;
     for (const size_t i : which) {
         const GridHour& h = grid.hours[i];
-        const Lux& e = h.sensors[sensor];
-        if (std::isnan(e.value)) {
+        if (std::isnan(h.sensors[sensor].value)) {
             ++hours.missing;
             continue;
         }
-        hours.known.push_back({{double(e.value), double(e.error), 0, 0, h.degrees}, {}});
-        if (grid.strata > 0 && !h.halves.empty()) hours.known.back().off = uncertainty::off(h.halves[sensor]);
+        for (const GridHour& other : h.instead)
+            hours.instead.emplace_back(hours.known.size(), shared_of(grid, other, sensor));
+        hours.known.push_back(shared_of(grid, h, sensor));
     }
     return hours;
 }
@@ -40,7 +47,31 @@ double errors_of(double alpha, double degrees) {
     return uncertainty::student_quantile(alpha, std::min(degrees, as_good_as_normal));
 }
 
-Number count(const SensorHours& hours, double from, double to, double alpha, double scale) {
+// The hours as they are in the states of shades that score most (side 1) or least (-1).
+template <class Score>
+static std::vector<uncertainty::Shared> worst_of(const SensorHours& hours, double side, const Score& score) {
+    std::vector<uncertainty::Shared> worst = hours.known;
+    for (const auto& [i, other] : hours.instead)
+        if (side * score(other) > side * score(worst[i])) worst[i] = other;
+    return worst;
+}
+
+// A number of these hours, whose limits reach as far as the states that shades may have let it.
+template <class Score, class Of>
+static Number over_states(const SensorHours& hours, const Score& score, const Of& number_of) {
+    Number n = number_of(hours);
+    if (hours.instead.empty()) return n;
+    SensorHours worst = hours;
+    worst.known = worst_of(hours, -1, score);
+    const Bounded fewest = number_of(worst).limits;
+    worst.known = worst_of(hours, 1, score);
+    const Bounded most = number_of(worst).limits;
+    n.limits.low = fewest.low, n.limits.high = most.high;
+    n.down = std::max(0., n.limits.value - fewest.value), n.up = std::max(0., most.value - n.limits.value);
+    return n;
+}
+
+static Number count_known(const SensorHours& hours, double from, double to, double alpha, double scale) {
     Number n;
     n.images = uncertainty::counts_within(hours.known, from, to);
     const Interval i = hours.shared ? uncertainty::count_within(hours.known, n.images, hours.strata, from, to, alpha)
@@ -51,9 +82,17 @@ Number count(const SensorHours& hours, double from, double to, double alpha, dou
     return n;
 }
 
+Number count(const SensorHours& hours, double from, double to, double alpha, double scale) {
+    const auto inside = [&](const uncertainty::Shared& s) {
+        const double far = std::min(s.of.value - from, to - s.of.value);
+        return s.of.error > 0 ? far / s.of.error : far < 0 ? -INFINITY : INFINITY;
+    };
+    return over_states(hours, inside, [&](const SensorHours& h) { return count_known(h, from, to, alpha, scale); });
+}
+
 // Each hour's credit moves by half of its difference between one standard error above and below; where it bends, at
 // `full`, its mean over the noise is lower than it, by which the limits reach further.
-Number credit(const SensorHours& hours, double full, double alpha, double scale) {
+static Number credit_known(const SensorHours& hours, double full, double alpha, double scale) {
     const auto of = [&](double lux) { return std::clamp(lux / full, 0., 1.); };
     Number n;
     double variance = 0, squares = 0, bias = 0;
@@ -76,10 +115,17 @@ Number credit(const SensorHours& hours, double full, double alpha, double scale)
     return n;
 }
 
+Number credit(const SensorHours& hours, double full, double alpha, double scale) {
+    const auto value = [](const uncertainty::Shared& s) { return s.of.value; };
+    return over_states(hours, value, [&](const SensorHours& h) { return credit_known(h, full, alpha, scale); });
+}
+
 Number reached(const Number& n, double least) {
     Number out;
     out.limits = {double(n.limits.value >= least), double(n.limits.low >= least), double(n.limits.high >= least)};
     out.images.whole = n.images.whole >= least;
+    out.down = out.limits.value - double(n.limits.value - n.down >= least);
+    out.up = double(n.limits.value + n.up >= least) - out.limits.value;
     for (size_t k = 0; k < half_samples; ++k) out.images.halves[k] = n.images.halves[k] >= least;
     return out;
 }
@@ -89,19 +135,23 @@ Number reached(const Number& n, double least) {
 Bounded mean(const std::vector<Number>& sensors, double strata, double alpha) {
     Bounded outer;              // if all sensors err alike
     double down2 = 0, up2 = 0;  // squares of the distances of the limits if they err independently
+    double down = 0, up = 0;
     uncertainty::Images images;
     const double share = 1 / double(sensors.size());
     for (const Number& n : sensors) {
         const Bounded& b = n.limits;
         outer.value += share * b.value, outer.low += share * b.low, outer.high += share * b.high;
-        down2 += std::pow(share * (b.value - b.low), 2), up2 += std::pow(share * (b.high - b.value), 2);
+        const double noise_down = std::max(0., b.value - n.down - b.low),
+                     noise_up = std::max(0., b.high - b.value - n.up);
+        down2 += std::pow(share * noise_down, 2), up2 += std::pow(share * noise_up, 2);
+        down += share * n.down, up += share * n.up;
         images.whole += share * n.images.whole;
         for (size_t k = 0; k < half_samples; ++k) images.halves[k] += share * n.images.halves[k];
     }
     if (!(strata > 0)) return outer;
     const Interval by_halves = uncertainty::limits_of(images, strata, alpha);
-    const double low = std::min(by_halves.low, outer.value - std::sqrt(down2)),
-                 high = std::max(by_halves.high, outer.value + std::sqrt(up2));
+    const double low = std::min(by_halves.low, outer.value - std::sqrt(down2)) - down,
+                 high = std::max(by_halves.high, outer.value + std::sqrt(up2)) + up;
     return {outer.value, std::max(outer.low, low), std::min(outer.high, high)};
 }
 

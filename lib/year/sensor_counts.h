@@ -9,6 +9,7 @@
 // or the shares at their limits, which hold for any correlation that errors of light can have and are the limits of
 // tables without half-samples.
 #pragma once
+#include <utility>
 #include <vector>
 
 #include "uncertainty/shared_counts.h"
@@ -22,11 +23,13 @@ constexpr double count_rounding = 1e-9;
 struct Number {
     Bounded limits;
     uncertainty::Images images;
+    double down = 0, up = 0;  // by how much less or more it may be where the state of shades is in doubt
 };
 
 // Some hours of a sensor.
 struct SensorHours {
     std::vector<uncertainty::Shared> known;
+    std::vector<std::pair<size_t, uncertainty::Shared>> instead;  // what one of `known` may be as well
     size_t missing = 0;   // for which the weather file has no values: any light is possible
     bool shared = false;  // the hours have paths in common
     double strata = 0;    // of their half-samples; 0: these are not known

@@ -5,71 +5,78 @@
 #include <algorithm>
 #include <map>
 
-#include "base/error.h"
-
 namespace year {
 namespace {
 
-enum class State { open, either, closed };
-
-// By minute of the year.
-std::map<int, State> states_of(const std::vector<View>& open, double limit) {
-    std::map<int, State> states;
-    for (const View& view : open)
-        for (const Hour& h : view.hours) {
-            State& s = states[h.time.minute_of_year()];
-            s = std::max(s, holds(h, limit) ? State::either : h.dgp.value > limit ? State::closed : State::open);
-        }
-    return states;
+// The states of ptrace -state that shades may have, the best first; by minute of the year.
+std::map<int, std::vector<std::string>> names_by_minute(const ShadeStates& states, const ShadeYear& year) {
+    std::map<int, std::vector<std::string>> names;
+    for (size_t i = 0; i < year.hours.size(); ++i)
+        for (const Setting& s : settings_at(year, i))
+            names[year.hours[i].minute_of_year()].push_back(states.name_of(s));
+    return names;
 }
 
-const Hour& hour_at(const std::vector<View>& views, const std::string& name, const weather::Time& time) {
-    const auto view = std::find_if(views.begin(), views.end(), [&](const View& v) { return v.name == name; });
-    if (view == views.end()) base::fail("-closed", "has no view \"" + name + "\"");
-    for (const Hour& h : view->hours)
-        if (h.time.minute_of_year() == time.minute_of_year()) return h;
-    base::fail("-closed", "has no " + name_of(time) + ", in which shades may be closed");
-}
-
-Hour either_of(Hour a, const Hour& b) {
-    const double low = std::min(a.dgp.at(-1), b.dgp.at(-1)), high = std::max(a.dgp.at(1), b.dgp.at(1));
-    const Hour& wider = a.dgp.error < b.dgp.error ? b : a;
-    a.halves = wider.halves;
-    a.dgp = {(low + high) / 2, wider.dgp.error, (high - low) / 2, 0, wider.dgp.degrees};
-    a.is_known = a.is_known && b.is_known;
-    return a;
+// It may be as any of these, the first of which is the best.  The value stays; what is unknown reaches to the farthest
+// of the others on each side, and has a sign where one side is farther.
+Hour any_of(const std::vector<Hour>& hours) {
+    Hour all = hours[0];
+    double low = all.dgp.at(-1), high = all.dgp.at(1);
+    for (const Hour& h : hours) {
+        low = std::min(low, h.dgp.at(-1)), high = std::max(high, h.dgp.at(1));
+        if (h.dgp.error > all.dgp.error)
+            all.dgp.error = h.dgp.error, all.dgp.degrees = h.dgp.degrees, all.halves = h.halves;
+        all.is_known = all.is_known && h.is_known;
+        all.dark = all.dark && h.dark, all.is_missing = all.is_missing || h.is_missing;
+    }
+    const double down = all.dgp.value - low, up = high - all.dgp.value;
+    all.dgp.bound = std::max(0., std::min(down, up));
+    all.dgp.jump = up > down ? up - all.dgp.bound : all.dgp.bound - down;
+    all.dgp.least = -uncertainty::Uncertain::infinite, all.dgp.most = uncertainty::Uncertain::infinite;
+    return all;
 }
 
 }  // namespace
 
-Shaded with_shades(std::vector<View> open, const std::vector<View>& closed, double limit) {
-    const std::map<int, State> states = states_of(open, limit);
-    const auto count = [&](State least) {
-        return double(std::count_if(states.begin(), states.end(), [&](const auto& s) { return s.second >= least; }));
-    };
-    std::map<int, bool> above;
-    for (const View& view : open)
-        for (const Hour& h : view.hours) above[h.time.minute_of_year()] |= h.dgp.value > limit;
-    const auto is_above = [](const auto& a) { return a.second; };
-    Shaded out{
-        std::move(open),
-        {double(std::count_if(above.begin(), above.end(), is_above)), count(State::closed), count(State::either)}};
-    for (View& view : out.views)
+std::vector<View> with_shades(std::vector<View> views, const ShadeStates& states, const ShadeYear& year) {
+    const auto names = names_by_minute(states, year);
+    bool shared = false;
+    for (const View& v : views) shared = shared || v.shared;
+    for (View& view : views)
         for (Hour& h : view.hours) {
-            const State s = states.at(h.time.minute_of_year());
-            if (s == State::open) continue;
-            const Hour& other = hour_at(closed, view.name, h.time);
-            h = s == State::closed ? other : either_of(h, other);
+            const int minute = h.time.minute_of_year();
+            std::vector<Hour> may;
+            for (const std::string& name : names.at(minute)) {
+                may.push_back(states.hour(name, view.name, minute));
+                shared = shared || !may.back().paths.empty();
+            }
+            h = may.size() > 1 ? any_of(may) : may[0];
         }
-    const auto is_shared = [](const View& v) { return v.shared; };
-    const bool shared = std::any_of(closed.begin(), closed.end(), is_shared) ||
-                        std::any_of(out.views.begin(), out.views.end(), is_shared);
-    for (View& view : out.views) {
+    for (View& view : views) {
         view.shared = shared;
         for (const Hour& h : view.hours)
             if (shared && h.dgp.error > 0) require_half_samples(h.time, h.halves.strata);
     }
-    return out;
+    return views;
+}
+
+std::vector<Grid> with_shades(std::vector<Grid> grids, const ShadeStates& states, const ShadeYear& year) {
+    const auto names = names_by_minute(states, year);
+    for (Grid& grid : grids) {
+        for (GridHour& h : grid.hours) {
+            const int minute = h.time.minute_of_year();
+            std::vector<GridHour> may;
+            for (const std::string& name : names.at(minute))
+                may.push_back(states.hour_of_grid(name, grid.name, minute));
+            h = std::move(may[0]);
+            h.instead.assign(may.begin() + 1, may.end());
+        }
+        for (const StateTables& state : states.all())
+            for (const Grid& g : state.tables.grids)
+                if (g.name == grid.name)
+                    grid.shared = grid.shared || g.shared, grid.strata = std::min(grid.strata, g.strata);
+    }
+    return grids;
 }
 
 }  // namespace year

@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Shades that are closed in the hours in which any view has a DGP above a limit while they are open.
+// The year of views and sensors whose shades move: each hour as it is in the state that shades have then.  Where that
+// is in doubt an hour may be as in any state that they may have: a view's interval holds all of them, sensors keep the
+// hours side by side (GridHour::instead).
 #pragma once
+#include <string>
 #include <vector>
 
-#include "year/verdict.h"
+#include "year/shade_control.h"
 
 namespace year {
 
-struct Shaded {
-    std::vector<View> views;
-    Bounded closed;  // hours
-};
-
-// closed: the same views with closed shades, in at least the hours in which they may be closed.  Where an interval
-// holds the limit shades may be either, and the hour's interval holds both.  Throws Error (place: the view).
-Shaded with_shades(std::vector<View> open, const std::vector<View>& closed, double limit);
+std::vector<View> with_shades(std::vector<View> open, const ShadeStates& states, const ShadeYear& year);
+std::vector<Grid> with_shades(std::vector<Grid> open, const ShadeStates& states, const ShadeYear& year);
 
 }  // namespace year

@@ -34,6 +34,11 @@ using GridHours = std::map<int, GridHour>;
 struct Reading {
     std::vector<std::pair<std::string, Hours>> views;
     std::vector<std::pair<std::string, GridHours>> grids;
+};
+
+// By the states of shades.
+struct States {
+    std::vector<std::pair<std::string, Reading>> readings;
     size_t bytes = 0;  // of sensors
 };
 
@@ -41,11 +46,11 @@ size_t bytes_of(const GridHour& h) {
     return h.sensors.size() * sizeof(Lux) + h.halves.size() * sizeof(uncertainty::HalfCodes);
 }
 
-void add_sensor(const Columns& c, const report::NumberRow& row, const std::string& path, Reading& all) {
+void add_sensor(const Columns& c, const report::NumberRow& row, const std::string& path, Reading& of, States& all) {
     constexpr size_t most_bytes = size_t(1) << 31;
     const std::vector<std::string>& labels = row.labels;
     const weather::Time time = time_of(labels[*c.sky], path);
-    GridHour& hour = called(labels[*c.grid], all.grids)[time.minute_of_year()];
+    GridHour& hour = called(labels[*c.grid], of.grids)[time.minute_of_year()];
     const std::string& word = labels[*c.point];
     const size_t before = bytes_of(hour);
     if (word == "0") hour = {};
@@ -60,7 +65,7 @@ void add_sensor(const Columns& c, const report::NumberRow& row, const std::strin
         base::fail(path, "more than 2 GiB of sensors: 268,435,456 values, 89,478,485 with half-samples");
 }
 
-void add_table(const std::string& path, Reading& all, Tables& tables) {
+void add_table(const std::string& path, States& all, Tables& tables) {
     std::optional<Columns> c;
     const auto add = [&](const report::NumberTable& t, const report::NumberRow& row) {
         if (!c) {
@@ -69,11 +74,11 @@ void add_table(const std::string& path, Reading& all, Tables& tables) {
             tables.no_errors = tables.no_errors || (c->low && !c->errors);
             tables.no_pixels = tables.no_pixels || (!c->grid && !c->pixels);
         }
-        if (c->grid) return add_sensor(*c, row, path, all);
+        Reading& of = called(c->state ? row.labels[*c->state] : "", all.readings);
+        if (c->grid) return add_sensor(*c, row, path, of, all);
         const Hour h = hour_of(*c, row, path);
-        Hour& known = called(c->view ? row.labels[*c->view] : "", all.views)
-                          .try_emplace(h.time.minute_of_year(), h)
-                          .first->second;
+        Hour& known =
+            called(c->view ? row.labels[*c->view] : "", of.views).try_emplace(h.time.minute_of_year(), h).first->second;
         const double least = std::min(known.least_pixels, h.least_pixels);
         if (replaces(h, known)) known = h;
         known.least_pixels = least;
@@ -163,14 +168,27 @@ bool is_missing(const GridHour& h) {
     return std::all_of(h.sensors.begin(), h.sensors.end(), [](const Lux& e) { return std::isnan(e.value); });
 }
 
-Tables read_tables(const std::vector<std::string>& paths) {
-    Tables all;
-    Reading read;
-    for (const std::string& path : paths) add_table(path, read, all);
-    for (const auto& [name, hours] : read.views) all.views.push_back(view_of(name, hours));
-    for (auto& [name, hours] : read.grids) all.grids.push_back(grid_of(name, hours));
-    if (!all.grids.empty() && !all.views.empty()) base::fail(paths.front(), "views and sensors are counted apart");
+std::vector<StateTables> read_states(const std::vector<std::string>& paths) {
+    Tables kind;
+    States read;
+    for (const std::string& path : paths) add_table(path, read, kind);
+    std::vector<StateTables> all;
+    for (auto& [state, of] : read.readings) {
+        Tables& tables = all.emplace_back(StateTables{state, kind}).tables;
+        for (const auto& [name, hours] : of.views) tables.views.push_back(view_of(name, hours));
+        for (auto& [name, hours] : of.grids) tables.grids.push_back(grid_of(name, hours));
+        if (!tables.grids.empty() && !tables.views.empty())
+            base::fail(paths.front(), "views and sensors are counted apart");
+    }
     return all;
+}
+
+Tables read_tables(const std::vector<std::string>& paths) {
+    std::vector<StateTables> states = read_states(paths);
+    if (states.size() > 1)
+        base::fail(paths.front(), "has states \"" + states[0].state + "\" and \"" + states[1].state +
+                                      "\": -shades says which hour has which, -state names one");
+    return states.empty() ? Tables{} : std::move(states[0].tables);
 }
 
 }  // namespace year

@@ -43,6 +43,7 @@ struct GridHour {
     std::vector<uncertainty::HalfCodes> halves = {};  // of each sensor; empty: not known
     double degrees = uncertainty::Uncertain::infinite, strata = 0;
     std::string paths = {};
+    std::vector<GridHour> instead = {};  // what it may be as well, where the state of shades is in doubt
 };
 
 bool is_dark(const GridHour& hour);
@@ -65,12 +66,20 @@ struct Tables {
     bool no_pixels = false;   // no column pixels: pictures count as 64 x 64
 };
 
+// The tables of a state of shades (ptrace -state); "" where the scene has none.
+struct StateTables {
+    std::string state;
+    Tables tables;
+};
+
 // Throws Error (place: the hour) where there are none: counts of a year whose hours share paths need those of all
 // hours.
 void require_half_samples(const weather::Time& time, double strata);
 
 // Files and lines come in any order but for hours that were rendered twice at one size with as many frames.  Throws
 // Error (place: the file) for tables without hours, or without DGP or E, or in which no hour has an interval.
+std::vector<StateTables> read_states(const std::vector<std::string>& paths);  // in the order of their first lines
+// The only state.  Throws Error (place: the first file) where there are several.
 Tables read_tables(const std::vector<std::string>& paths);
 
 }  // namespace year

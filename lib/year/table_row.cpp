@@ -57,7 +57,8 @@ double least_dgp(const Columns& c, const report::NumberRow& row, const std::stri
 }  // namespace
 
 Columns::Columns(const report::NumberTable& t, Of what) {
-    view = column(t.labels, "view"), sky = column(t.labels, "sky"), frame = column(t.labels, "frame");
+    view = column(t.labels, "view"), sky = column(t.labels, "sky"), state = column(t.labels, "state"),
+    frame = column(t.labels, "frame");
     grid = column(t.labels, "grid"), point = column(t.labels, "point");
     errors = column(t.notes, report::errors_column), paths = column(t.notes, report::paths_column);
     name = grid ? "E" : column(t.names, "DGPf") ? "DGPf" : "DGP";

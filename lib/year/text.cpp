@@ -65,10 +65,6 @@ std::string summary(const std::vector<View>& views, const std::vector<Verdict>& 
     return text;
 }
 
-std::string shades_line(const Bounded& closed, double limit) {
-    return fmt::format("shades    closed in {} hours: DGP above {:.2f}\n", count_text(closed), limit);
-}
-
 report::Line line_of(const Verdict& v) {
     report::Line line;
     report::add(line, "view", report::text_cell(v.view.empty() ? "-" : v.view));

@@ -15,9 +15,6 @@ std::string percent_text(const Bounded& share);  // "62.1 % (60.2 to 64.0)"
 // once " -hours NAME" stands behind it.
 std::string summary(const std::vector<View>& views, const std::vector<Verdict>& verdicts, const std::string& command);
 
-// In how many hours shades are closed.
-std::string shades_line(const Bounded& closed, double limit);
-
 report::Line line_of(const Verdict& verdict);
 
 // A line for each: DGP, the view, the command that shows it.

@@ -10,7 +10,6 @@
 #include "year/honeybee.h"
 #include "year/next.h"
 #include "year/plot.h"
-#include "year/shades.h"
 #include "year/text.h"
 
 namespace {
@@ -331,35 +330,6 @@ TEST_CASE("a heat map as SVG and PNG") {
     CHECK(bytes_of(png).substr(1, 3) == "PNG");
     CHECK(error_text([&] { write_plot(folder.name("p.gif"), {v}, .05); }).find("plots are written to .svg or .png") !=
           std::string::npos);
-}
-
-TEST_CASE("shades close in the hours in which any view is above the limit; where it may be, an hour holds both") {
-    View desk = ramp(5, 0), door = desk;  // 0 to .8
-    desk.name = "desk", door.name = "door";
-    for (Hour& h : door.hours) h.dgp.value = .1;
-    door.hours[0].dgp.value = .9;
-    desk.hours[2].dgp = {.41, .01, .002};
-    View blind_desk = desk, blind_door = door;
-    for (View* v : {&blind_desk, &blind_door})
-        for (Hour& h : v->hours) h.dgp = {.2, .001, .003};
-    const Shaded s = with_shades({desk, door}, {blind_door, blind_desk}, .4);
-    CHECK(s.closed.value == 4);  // 0 by the door, .41, .6, .8
-    CHECK(s.closed.low == 3);
-    CHECK(s.closed.high == 4);
-    const auto dgp = [&](size_t view, size_t hour) { return s.views[view].hours[hour].dgp; };
-    CHECK(dgp(0, 0).value == .2);
-    CHECK(dgp(1, 0).value == .2);
-    CHECK(dgp(0, 1).value == .2);  // open: its own
-    CHECK(dgp(0, 1).bound == 0);
-    CHECK(dgp(1, 3).value == .2);
-    CHECK(dgp(0, 2).value + dgp(0, 2).bound == doctest::Approx(.412));
-    CHECK(dgp(0, 2).value - dgp(0, 2).bound == doctest::Approx(.197));
-    CHECK(dgp(0, 2).error == .01);
-    CHECK(shades_line(s.closed, .4) == "shades    closed in 4 (3 to 4) hours: DGP above 0.40\n");
-    CHECK(error_text([&] { with_shades({desk}, {blind_door}, .4); }) == "-closed: has no view \"desk\"");
-    blind_desk.hours.pop_back();
-    CHECK(error_text([&] { with_shades({desk}, {blind_desk}, .4); }) ==
-          "-closed: has no 0101_0430, in which shades may be closed");
 }
 
 TEST_CASE("single days are drawn as wide as they are apart, and the plot says so") {

@@ -8,24 +8,17 @@
 #include "base/run.h"
 #include "options.h"
 #include "sensors.h"
+#include "shaded.h"
 #include "year/honeybee.h"
 #include "year/months.h"
 #include "year/next.h"
 #include "year/plot.h"
-#include "year/shades.h"
 #include "year/text.h"
 
 namespace {
 
-void choose_view(const std::string& name, std::vector<year::View>& views) {
-    if (name.empty()) return;
-    views.erase(std::remove_if(views.begin(), views.end(), [&](const year::View& v) { return v.name != name; }),
-                views.end());
-    if (views.empty()) base::fail("-view", "no view is called \"" + name + "\"");
-}
-
-void refuse_options_of_sensors(const Options& o) {
-    const std::pair<const char*, bool> of_sensors[] = {{"-direct", !o.direct.empty()},
+void refuse_options_of_sensors(const Options& o, const Counted& c) {
+    const std::pair<const char*, bool> of_sensors[] = {{"-direct", !o.direct.empty() && !c.shades},
                                                        {"-each", o.each},
                                                        {"-points", !o.points.empty()},
                                                        {"-en17037", !o.en17037.empty()},
@@ -45,14 +38,9 @@ std::string months(const Options& opt, const std::vector<year::View>& views, dou
     return report::table(lines, opt.format.value_or(report::TableFormat::tsv));
 }
 
-std::string answer(const Options& opt, std::vector<year::View> views) {
-    refuse_options_of_sensors(opt);
-    std::string shades;
-    if (!opt.closed.empty()) {
-        year::Shaded shaded = year::with_shades(std::move(views), year::read_tables(opt.closed).views, opt.close_dgp);
-        views = std::move(shaded.views);
-        shades = year::shades_line(shaded.closed, opt.close_dgp);
-    }
+std::string answer_of_views(const Options& opt, const Counted& c) {
+    refuse_options_of_sensors(opt, c);
+    const std::vector<year::View>& views = c.tables.views;
     const double alpha = 1 - opt.percent / 100;
     if (opt.months) return months(opt, views, alpha);
     std::vector<year::Verdict> verdicts;
@@ -62,21 +50,21 @@ std::string answer(const Options& opt, std::vector<year::View> views) {
     if (opt.next) return year::need_lines(views, verdicts, alpha);
     if (opt.worst > 0) return year::worst_lines(views, size_t(opt.worst), opt.command);
     std::vector<report::Line> lines;
-    for (const year::Verdict& v : verdicts) lines.push_back(year::line_of(v));
+    for (const year::Verdict& v : verdicts) lines.push_back(year::line_of(v)), year::add_shades(lines.back(), c.groups);
     if (opt.format) return report::table(lines, *opt.format);
-    return year::summary(views, verdicts, opt.command) + shades;
+    return year::summary(views, verdicts, opt.command) + c.shade_lines();
 }
 
 int work(int argc, char** argv) {
     Options opt;
     if (auto status = parse_options(argc, argv, opt)) return *status;
-    year::Tables tables = year::read_tables(opt.tables);
+    const Counted counted = read_counted(opt);
+    const year::Tables& tables = counted.tables;
     if (tables.no_errors)
         base::warn(opt.tables.front(), "no column errors (of an earlier vcmetrics): .lo and .hi count as of 95 %");
     if (tables.exact) base::warn(opt.tables.front(), "no intervals (vcmetrics -ci 95): values count as exact");
     else if (tables.no_pixels) base::warn(opt.tables.front(), "no column pixels: pictures count as 64 x 64");
-    if (tables.grids.empty()) choose_view(opt.view, tables.views);
-    const std::string text = tables.grids.empty() ? answer(opt, tables.views) : answer_of_sensors(opt, tables.grids);
+    const std::string text = tables.grids.empty() ? answer_of_views(opt, counted) : answer_of_sensors(opt, counted);
     base::write_stdout(text.data(), text.size());
     base::flush_stdout();
     return 0;

@@ -51,6 +51,10 @@ std::optional<int> parse_options(int argc, char** argv, Options& o) {
     t.add("-command words", "Command that shows a view's hours, in front of -hours", o.command);
     t.add("-next", "Print the hours to render again so that the class is decided, with their frames and size", o.next);
     t.group("Shades");
+    t.add("-shades rules", "Which state shades have in each hour: rules, or a file of them", o.shades);
+    t.add("-by file", "Table of views that rules read in place of the tables that are counted", o.by);
+    t.add("-moves file", "Write a table of the state in each hour, and of the rule that closes shades", o.moves);
+    t.add("-state name", "Only this state", o.state).default_text("all");
     t.add("-closed file", "Table of the same views with closed shades, for the hours in which a view is above -close",
           o.closed);
     t.add("-close dgp", "DGP with open shades above which they are closed", o.close_dgp).within(0, 1);
@@ -100,10 +104,10 @@ std::optional<int> parse_options(int argc, char** argv, Options& o) {
     if (o.rooflight && o.en17037.empty()) base::fail("-rooflight", "is of -en17037");
     if (!o.plot.empty()) image::require_writable_ending(o.plot, {".svg", ".png"});
     std::vector<std::string> inputs = o.tables;
-    for (const auto& more : {o.closed, o.direct, o.points}) inputs.insert(inputs.end(), more.begin(), more.end());
-    for (const std::string& file : {o.en17037, o.sun_steps, o.overcast})
+    for (const auto& more : {o.closed, o.direct, o.points, o.by}) inputs.insert(inputs.end(), more.begin(), more.end());
+    for (const std::string& file : {o.en17037, o.sun_steps, o.shades, o.overcast})
         if (!file.empty()) inputs.push_back(file);
-    base::refuse_to_overwrite({o.plot}, inputs);
+    base::refuse_to_overwrite({o.plot, o.moves}, inputs);
     if (!o.warnings) base::set_warning_sink({});
     return std::nullopt;
 }

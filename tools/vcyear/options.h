@@ -13,6 +13,10 @@ struct Options {
     std::vector<std::string> direct;            // -direct: tables of a run with direct sun alone
     std::vector<std::string> points;            // -points: of -plot of grids
     std::vector<std::string> closed;            // -closed: tables of a run with closed shades
+    std::string shades;                         // -shades: a file of rules, or rules
+    std::vector<std::string> by;                // -by: tables that rules read
+    std::string moves;                          // -moves: a table of which state shades have, and why
+    std::string state;                          // -state: this one alone
     double close_dgp = .4;                      // -close
     year::Goals goals;                          // -sda, -udi, -ase
     std::string en17037;                        // -en17037: the weather file of the year

@@ -17,13 +17,13 @@
 namespace {
 
 // The same grids under direct sun alone, in the same order.
-std::vector<year::Grid> read_direct(const std::vector<std::string>& paths, const std::vector<year::Grid>& grids) {
-    std::vector<year::Grid> read = year::read_tables(paths).grids, direct;
+std::vector<year::Grid> direct_of(const std::vector<year::Grid>& read, const std::vector<year::Grid>& grids) {
+    std::vector<year::Grid> direct;
     for (const year::Grid& grid : grids) {
         const auto found =
             std::find_if(read.begin(), read.end(), [&](const year::Grid& g) { return g.name == grid.name; });
         if (found == read.end()) base::fail("-direct", "has no grid \"" + grid.name + "\"");
-        direct.push_back(std::move(*found));
+        direct.push_back(*found);
     }
     return direct;
 }
@@ -105,11 +105,12 @@ private:
 
 }  // namespace
 
-std::string answer_of_sensors(const Options& o, const std::vector<year::Grid>& grids) {
+std::string answer_of_sensors(const Options& o, const Counted& c) {
     refuse_options_of_views(o);
+    const std::vector<year::Grid>& grids = c.tables.grids;
     if (!o.sun_steps.empty()) return sunlight(o, grids);
     std::vector<year::Grid> direct;
-    if (!o.direct.empty()) direct = read_direct(o.direct, grids);
+    if (!o.direct.empty()) direct = direct_of(c.direct, grids);
     std::vector<year::GridYear> years;
     for (size_t g = 0; g < grids.size(); ++g)
         years.push_back(year::judge(grids[g], direct.empty() ? nullptr : &direct[g], o.goals, 1 - o.percent / 100));
@@ -125,7 +126,9 @@ std::string answer_of_sensors(const Options& o, const std::vector<year::Grid>& g
             o.each ? additions.add(g, k, lines.back()) : additions.add(g, lines.back());
         }
         text += year::summary(years[g], o.goals) + additions.lines(g);
+        if (!o.each) year::add_shades(lines.back(), c.groups);
     }
+    text += c.shade_lines();
     if (o.leed) text += year::lines_of(year::judge_leed(years, o.goals));
     return o.format || o.each ? report::table(lines, o.format.value_or(report::TableFormat::tsv)) : text;
 }

@@ -2,9 +2,7 @@
 // vcyear of tables of sensors: what it prints of their grids; plots and folders are written on the way.
 #pragma once
 #include <string>
-#include <vector>
 
-#include "options.h"
-#include "year/table.h"
+#include "shaded.h"
 
-std::string answer_of_sensors(const Options& options, const std::vector<year::Grid>& grids);
+std::string answer_of_sensors(const Options& options, const Counted& counted);
