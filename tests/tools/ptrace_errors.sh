@@ -89,3 +89,25 @@ check 'nothing half-written is left' '
     test "$(ls | sort | tr "\n" " ")" = "command.rad folder good.rad modifier.rad short.rad "'
 check 'a reader that leaves ends an endless stream quietly' "
     ptrace $view good.rad | head -c 2000 > first && test ! -s .stderr"
+
+# An eye where none can be meant.
+cat > units.rad << 'END'
+void plastic wall 0 0 5 .5 .5 .5 0 0
+void glow lamp 0 0 4 1 1 1 0
+!genbox wall room 4 6 3 -i
+lamp ring lamp 0 0 8 2 3 2.99 0 0 -1 0 .5
+END
+eye() { ptrace -vta -vh 180 -vv 180 -x 8 -y 8 -frames 1 -moments- -vp "$@" | cat > x.str; }
+scaled() { printf '!xform -s %s units.rad\n' "$1" > scaled.rad; }
+check 'an eye in a room is no news' 'eye 2 2.6 1.2 -vd 0 -1 0 units.rad 2> said; cat said; [ ! -s said ]'
+check_error 'a model in millimetres under an eye in metres, by the size of its room' 0 \
+    '^ptrace: warning: -vp: .* corner of a room of 4000 x 6000 x 3000: is the model in millimetres' '
+    scaled 1000; eye 2 2.6 1.2 -vd 0 -1 0 scaled.rad'
+check_error 'an eye that is metres away from a model of millimetres' 0 \
+    '^ptrace: warning: -vp: the eye is 3.* are they in the same units' '
+    scaled .001; eye 2 2.6 1.2 -vd 0 -1 0 scaled.rad'
+check_error 'an eye inside a solid' 0 '^ptrace: warning: -vp: surfaces .* 0.004 x 0.006 x 0.003: is it inside a solid' '
+    scaled .001; echo "!xform -t -1 -1 -1 units.rad" >> scaled.rad; eye .002 .002 .001 -vd 0 -1 0 scaled.rad'
+check_error 'an eye under the ground' 0 \
+    '^ptrace: warning: -vp: all surfaces are above the eye: is it under the ground' '
+    { cat units.rad; echo wall ring ground 0 0 8 2 3 -.1 0 0 1 0 100; } > ground.rad; eye 2 3 -1 -vd 0 1 0 ground.rad'

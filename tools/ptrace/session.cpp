@@ -15,6 +15,7 @@
 #include "base/value.h"
 #include "base/warnings.h"
 #include "region/open.h"
+#include "render/odd_eye.h"
 #include "render/seen.h"
 
 namespace {
@@ -181,12 +182,21 @@ bool carry_out(Session& s, Commands commands, const Sky& sky, size_t i) {
     }
 }
 
+// Once, with the first picture of the run.
+void warn_of_odd_eye(const Session& s, size_t i) {
+    const view::View& v = s.plan.view;
+    if (s.run.opt.views[i].render_view.points || v.type == 'l') return;
+    const std::string odd = render::odd_about_eye(*s.plan.scene.tables, v.vp);
+    if (!odd.empty()) base::warn("-vp", odd);
+}
+
 void plan_first(Session& s, const Sky& sky, size_t i) {
+    const bool is_first = s.plan.fingerprint.empty();
     for (bool planned = false; !planned && !base::shutdown_requested();) {
         base::Progress progress("ptrace");
         render::Setup setup = setup_of(s.run.opt, i, progress);
         setup.reading.work = budget_of_edit(s, std::make_shared<Readings>());
-        setup.options.tell_limit = s.plan.fingerprint.empty();  // in the first picture of the run
+        setup.options.tell_limit = is_first;
         try {
             s.plan = render::plan_picture(*s.device, s.text, setup, s.plan);
             planned = true;
@@ -195,6 +205,7 @@ void plan_first(Session& s, const Sky& sky, size_t i) {
         Commands commands;
         if (!planned) add_waiting(s, commands), planned = carry_out(s, std::move(commands), sky, i);
     }
+    if (is_first && !s.plan.fingerprint.empty()) warn_of_odd_eye(s, i);
 }
 
 void answer_what(const Session& s, const std::string& rest) {
