@@ -171,7 +171,7 @@ void keep_text(State& s, size_t n, const Text& old) {
 
 }  // namespace
 
-void take(State& s, Effects& out, const Came& came) {
+void take(State& s, Effects&, const Came& came) {
     const image::Header& h = came.picture->header;
     Pipe& p = s.pipe(came.which);
     const int64_t edit = h.edit.value_or(0);
@@ -191,17 +191,16 @@ void take(State& s, Effects& out, const Came& came) {
     if (edit > p.edit) begin_edit(s, h, edit);
     s.picture = s.newest = came.picture;
     note_result(s);
-    (void)out;
 }
 
-void take(State& s, const Measured& m) {
+void take(State& s, Effects&, const Measured& m) {
     if (m.which == Which::day) return take_of_day(s, m);
     s.numbers = {m.row.edit(), numbers_of(m.row)};
     for (Result& r : s.results)
         if (r.edit == s.numbers.first) r.numbers = s.numbers.second;
 }
 
-void take(State& s, const Said& said) {
+void take(State& s, Effects&, const Said& said) {
     const std::string& line = said.line;
     if (base::begins_with(line, "ptrace: same ")) return take_same(s, said);
     if (base::begins_with(line, "ptrace: what ")) return take_answer(s, line);

@@ -13,7 +13,7 @@
 
 namespace live {
 
-void Channel::End::leave() {
+void End::leave() {
     if (fd >= 0) close(fd);
     fd = -1;
 }

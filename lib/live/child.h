@@ -8,13 +8,17 @@
 
 namespace live {
 
+// A descriptor that is ours.
+struct End {
+    int fd;
+    explicit End(int d = -1) : fd(d) {}
+    ~End() { leave(); }
+    End(const End&) = delete;
+    void leave();
+};
+
 // A pipe: read from `out`, write to `in`.
 struct Channel {
-    struct End {
-        int fd = -1;
-        ~End() { leave(); }
-        void leave();
-    };
     End out, in;
     Channel();  // throws base::Error (system)
 };

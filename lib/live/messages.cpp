@@ -3,7 +3,6 @@
 #include "live/messages.h"
 
 #include <fcntl.h>
-#include <unistd.h>
 
 #include <cerrno>
 
@@ -18,12 +17,10 @@ const std::string our_last_line = "\4";
 }
 
 // Opened for both ways: it is there before its writers and does not end with them.
-Messages::Messages(const std::string& fifo, Live& live) {
-    errno = 0;
-    fd_ = open(fifo.c_str(), O_RDWR | O_CLOEXEC);
-    if (fd_ < 0) base::fail_system(fifo, "cannot be opened");
+Messages::Messages(const std::string& fifo, Live& live) : fifo_((errno = 0, open(fifo.c_str(), O_RDWR | O_CLOEXEC))) {
+    if (fifo_.fd < 0) base::fail_system(fifo, "cannot be opened");
     thread_ = std::thread([this, &live] {
-        read_lines(fd_, [&](const std::string& line) {
+        read_lines(fifo_.fd, [&](const std::string& line) {
             if (line == our_last_line) return false;
             return live.put_said(Which::picture, line), true;
         });
@@ -32,9 +29,8 @@ Messages::Messages(const std::string& fifo, Live& live) {
 
 Messages::~Messages() {
     const std::string end = "\n" + our_last_line + "\n";
-    base::write_all(fd_, end.data(), end.size());
+    base::write_all(fifo_.fd, end.data(), end.size());
     thread_.join();
-    close(fd_);
 }
 
 }  // namespace live

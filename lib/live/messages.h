@@ -3,6 +3,7 @@
 #pragma once
 #include <string>
 #include <thread>
+#include "live/child.h"
 #include "live/live.h"
 
 namespace live {
@@ -12,10 +13,10 @@ public:
     Messages(const std::string& fifo, Live& live);  // throws base::Error (system)
     ~Messages();                                    // what has been written is passed on before
     Messages(const Messages&) = delete;
-    int descriptor() const { return fd_; }  // for a program that we start
+    int descriptor() const { return fifo_.fd; }  // for a program that we start
 
 private:
-    int fd_;
+    const End fifo_;
     std::thread thread_;
 };
 

@@ -22,8 +22,6 @@ bool has_reader(int fd) {
 }
 }  // namespace
 
-Outbox::End::~End() { close(fd); }
-
 Outbox::~Outbox() {
     {
         const std::lock_guard<std::mutex> lock(mutex_);

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <string>
 #include <thread>
+#include "live/child.h"
 
 namespace live {
 
@@ -21,12 +22,6 @@ public:
     bool is_full() const;
 
 private:
-    struct End {
-        explicit End(int d) : fd(d) {}
-        ~End();
-        End(const End&) = delete;
-        const int fd;
-    };
     void work();
     mutable std::mutex mutex_;
     std::condition_variable news_;

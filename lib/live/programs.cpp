@@ -117,7 +117,7 @@ void Programs::run() {
     std::optional<Program> measure;
     if (!command_.measure.empty())
         measure.emplace(command_.measure, base::ChildFiles{to_measure.out.fd, rows.in.fd, said.in.fd, true});
-    for (Channel::End* theirs : {&control.out, &frames.out, &frames.in, &sums.in, &to_measure.out, &rows.in, &said.in})
+    for (End* theirs : {&control.out, &frames.out, &frames.in, &sums.in, &to_measure.out, &rows.in, &said.in})
         theirs->leave();
     {
         const std::lock_guard<std::mutex> lock(mutex_);

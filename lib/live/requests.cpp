@@ -290,7 +290,7 @@ Answer plain(unsigned status, const std::string& text) {
     return {status, "text/plain; charset=utf-8", text + "\n", ""};
 }
 
-void answer(State& s, Effects& out, const Request& r) {
+void take(State& s, Effects& out, const Request& r) {
     const Answer a = answer_to(s, out, r);
     out.push_back(a);
 }

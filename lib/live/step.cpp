@@ -27,11 +27,23 @@ void count_versions(State& s, const Texts& before) {
 }
 
 // A window that has asked for small pictures and says no more may be gone: the full one is asked for.
-void end_preview(State& s, Effects& out) {
+void take(State& s, Effects& out, const Tick&) {
     if (!s.preview || s.at - *s.preview <= longest_preview) return;
     s.preview.reset();
     s.going = -1;
     out.push_back(ToPipe{Which::picture, "go\n"});
+}
+
+void take(State& s, Effects&, const PointsChanged&) { ++s.plan.points, s.plan.number += s.plan.number > 0; }
+
+void take(State& s, Effects&, const Drawn& e) {
+    s.plan.drawn = e.points;
+    if (e.points == s.plan.points) be_gone(s, Message::Cause::points);
+}
+
+void take(State& s, Effects&, const Saved& e) {
+    be_gone(s, Message::Cause::design);
+    if (!e.trouble.empty()) say(s, Message::Cause::design, e.trouble);
 }
 
 // Programs that never say what has arrived: where it may differ it is not known.
@@ -146,23 +158,7 @@ void be_gone(State& s, Message::Cause cause) {
 std::pair<State, Effects> step(State s, const Event& event) {
     Effects out;
     s.at = event.at;
-    if (const auto* e = std::get_if<Request>(&event.what)) answer(s, out, *e);
-    if (const auto* e = std::get_if<Came>(&event.what)) take(s, out, *e);
-    if (const auto* e = std::get_if<Measured>(&event.what)) take(s, *e);
-    if (const auto* e = std::get_if<Said>(&event.what)) take(s, *e);
-    if (const auto* e = std::get_if<FileIs>(&event.what)) take(s, out, *e);
-    if (std::holds_alternative<PointsChanged>(event.what)) ++s.plan.points, s.plan.number += s.plan.number > 0;
-    if (const auto* e = std::get_if<Drawn>(&event.what)) {
-        s.plan.drawn = e->points;
-        if (e->points == s.plan.points) be_gone(s, Message::Cause::points);
-    }
-    if (const auto* e = std::get_if<Saved>(&event.what)) {
-        be_gone(s, Message::Cause::design);
-        if (!e->trouble.empty()) say(s, Message::Cause::design, e->trouble);
-    }
-    if (const auto* e = std::get_if<Listens>(&event.what)) take(s, out, *e);
-    if (const auto* e = std::get_if<Ended>(&event.what)) take(s, out, *e);
-    if (std::holds_alternative<Tick>(event.what)) end_preview(s, out);
+    std::visit([&](const auto& e) { take(s, out, e); }, event.what);
     look_at_day(s, out);
     look_at_plan(s, out);
     if (const std::string against = against_of(s); against != s.said_against) {

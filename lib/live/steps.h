@@ -18,10 +18,10 @@ void start(State& s, Effects& out, Which which);
 void say(State& s, Message::Cause cause, const std::string& text);
 void be_gone(State& s, Message::Cause cause);
 
-void answer(State& s, Effects& out, const Request& request);
+void take(State& s, Effects& out, const Request& request);
 void take(State& s, Effects& out, const Came& came);
-void take(State& s, const Measured& row);
-void take(State& s, const Said& said);
+void take(State& s, Effects& out, const Measured& row);
+void take(State& s, Effects& out, const Said& said);
 void take(State& s, Effects& out, const FileIs& file);
 void take(State& s, Effects& out, const Ended& ended);
 
