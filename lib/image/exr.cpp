@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Pictures as OpenEXR: see exr.h.  A sum of frames also keeps what merging needs (accumulate.h): L(0) as layer
 // "frame0", and the exact sum of the other frames as layers "sum0" to "sum9", one for each digit (exact_sum.h).  Its
-// error is estimated from up to sixteen parts of its frames, "part<k>.Y" (parts.h).
+// error is estimated from up to sixteen parts of its frames (parts.h): "part<k>.Y", or coarsely
+// "off<k>.Y" (part_offsets.h).
 #include "image/exr.h"
 
 #include <fmt/format.h>
@@ -11,15 +12,18 @@
 
 #include "base/error.h"
 #include "base/hash.h"
+#include "base/number.h"
 #include "image/exr_file.h"
 #include "image/grey.h"
 #include "image/header.h"
+#include "image/part_offsets.h"
 #include "image/stream.h"
 
 namespace image {
 namespace {
 
 constexpr float largest_half = 65504;
+constexpr const char* offsets_text = "off";  // attribute: the scale of offsets (part_offsets.h)
 
 std::vector<SumLayer> read_sum(const ExrInput& in) {
     std::vector<SumLayer> all;
@@ -79,18 +83,30 @@ std::vector<std::pair<int64_t, std::vector<float>>> read_layers(const ExrInput& 
     return layers;
 }
 
-// Layers "part<k>.Y"; the attribute "part<k>" names their frames.
-std::vector<Part> read_parts(const ExrInput& in, int64_t frames, const std::string& path) {
+// Layers "NAME<k>.Y"; the attribute "NAME<k>" names their frames.
+std::vector<Part> read_parts_called(const std::string& name, const ExrInput& in, int64_t frames,
+                                    const std::string& path) {
     std::vector<Part> parts;
-    for (auto& [k, grey] : read_layers(in, "part", path)) {
-        Part part{0, std::move(grey), seed_ranges(in.text(fmt::format("part{}", k)).value_or(""), path)};
+    for (auto& [k, grey] : read_layers(in, name, path)) {
+        Part part{0, std::move(grey), seed_ranges(in.text(fmt::format("{}{}", name, k)).value_or(""), path)};
         for (const auto& from : part.from)
             for (const auto& r : from.second) part.frames += r.second - r.first + 1;
-        if (part.frames < 1) base::fail(path, fmt::format("does not say which frames part{}.Y holds", k));
+        if (part.frames < 1) base::fail(path, fmt::format("does not say which frames {}{}.Y holds", name, k));
         parts.push_back(std::move(part));
     }
     if (!parts.empty() && frames_of(parts) != frames)
         base::fail(path, fmt::format("its parts hold {} frames, its header says {}", frames_of(parts), frames));
+    return parts;
+}
+
+// The parts themselves, "part<k>.Y", or what they are off their mean, "off<k>.Y".
+std::vector<Part> read_parts(const ExrInput& in, const Picture& p, const std::string& path) {
+    std::vector<Part> parts = read_parts_called("off", in, *p.header.frames, path);
+    if (parts.empty()) return read_parts_called("part", in, *p.header.frames, path);
+    long long scale = 0;
+    if (!base::parse_integer(in.text(offsets_text).value_or(""), scale) || std::llabs(scale) > 200)
+        base::fail(path, "does not say by which power of two its layers off<k>.Y are divided");
+    add_offsets(parts, int(scale), grey_of(p.rgb));
     return parts;
 }
 
@@ -134,7 +150,7 @@ Picture read_exr(const std::string& path, const base::Opener& by) {
         if (mix || unit != 1) return p;  // other pixels than those that the rest belongs to
         p.sum = read_sum(in);
         p.moments = read_moment_channels(in, p.rgb, path);
-        if (p.header.frames) p.parts = read_parts(in, *p.header.frames, path);
+        if (p.header.frames) p.parts = read_parts(in, p, path);
         if (p.header.frames && p.parts.empty()) p.parts = read_means(in, p, path);
         return p;
     }
@@ -177,9 +193,20 @@ std::string exr_bytes(const std::string& path, const Picture& picture, const Exr
             channels.push_back({moment_channels[k], picture.moments->data() + k, int(moment_numbers)});
         texts[moments_text] = base::hash_of(picture.rgb);
     }
-    for (size_t k = 0; k < picture.parts.size() && !options.half; ++k) {
+    PartOffsets offsets;
+    const bool coarse = options.coarse_parts && !picture.parts.empty() && !options.half;
+    for (size_t k = 0; k < picture.parts.size() && !options.half && !coarse; ++k) {
         const std::string name = fmt::format("part{}", k);
         channels.push_back({name + ".Y", picture.parts[k].grey.data(), 1});
+        texts[name] = to_text(picture.parts[k].from);
+    }
+    if (coarse) {
+        offsets = part_offsets(picture.parts, grey_of(picture.rgb));
+        texts[offsets_text] = std::to_string(offsets.scale);
+    }
+    for (size_t k = 0; k < offsets.of.size(); ++k) {
+        const std::string name = fmt::format("off{}", k);
+        channels.push_back({name + ".Y", offsets.of[k].data(), 1, false, true});
         texts[name] = to_text(picture.parts[k].from);
     }
     return exr_bytes_of(path, picture.width, picture.height, channels, picture.header, texts, options);

@@ -9,7 +9,8 @@
 namespace image {
 
 struct ExrOptions {
-    bool half = false;  // 16-bit floats: smaller, 3 digits, at most 65504
+    bool half = false;          // 16-bit floats: smaller, 3 digits, at most 65504
+    bool coarse_parts = false;  // part_offsets.h
     bool tiled = false;
     std::string compression = "zip";  // none rle zips zip piz pxr24 b44 b44a dwaa dwab
 };

@@ -44,6 +44,7 @@ struct ExrChannel {
     const void* first;   // of the top left pixel: a float, or where whole is set a uint32_t
     int stride;          // of them from pixel to pixel
     bool whole = false;  // whole numbers, never made half
+    bool half = false;   // made half in any file
 };
 // The bytes of a file of this name.
 std::string exr_bytes_of(const std::string& path, int width, int height, const std::vector<ExrChannel>& channels,

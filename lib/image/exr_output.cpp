@@ -53,12 +53,12 @@ Imf::Compression compression_of(const std::string& name) {
 class Lines {
 public:
     Lines(bool half_floats, int width, const std::vector<ExrChannel>& channels)
-        : half_(half_floats), width_(width), channels_(channels), halves_(half_floats ? channels.size() : 0) {}
+        : half_(half_floats), width_(width), channels_(channels), halves_(channels.size()) {}
     Imf::FrameBuffer frame(int first, int count) {
         Imf::FrameBuffer buffer;
         for (size_t k = 0; k < channels_.size(); ++k) {
             const ExrChannel& c = channels_[k];
-            if (half_ && !c.whole) {
+            if ((half_ || c.half) && !c.whole) {
                 const float* from = static_cast<const float*>(c.first) + size_t(first) * width_ * c.stride;
                 halves_[k].resize(size_t(count) * width_);
                 for (size_t i = 0; i < halves_[k].size(); ++i) halves_[k][i] = half(from[i * c.stride]);
@@ -101,7 +101,9 @@ std::string exr_bytes_of(const std::string& path, int width, int height, const s
         const auto xy = [&](int i) { return Imath::V2f(float(p[i]), float(p[i + 1])); };
         Imf::addChromaticities(h, Imf::Chromaticities(xy(0), xy(2), xy(4), xy(6)));
         for (const ExrChannel& c : channels)
-            h.channels().insert(c.name, Imf::Channel(c.whole ? Imf::UINT : options.half ? Imf::HALF : Imf::FLOAT));
+            h.channels().insert(c.name, Imf::Channel(c.whole                  ? Imf::UINT
+                                                     : options.half || c.half ? Imf::HALF
+                                                                              : Imf::FLOAT));
         Lines lines_of(options.half, width, channels);
         if (options.tiled) {
             h.setTileDescription(Imf::TileDescription(64, 64, Imf::ONE_LEVEL));

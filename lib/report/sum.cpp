@@ -19,10 +19,10 @@ std::string what_it_lacks(const image::Picture& p) {
     if (!p.parts.empty()) return "";
     if (!p.header.frames) return "it is no sum of frames (no FRAMES= line)";
     if (p.header.ranges.size() != 1 || p.header.ranges[0].first != 0 || !p.header.other_seeds.empty())
-        return "it is merged from several runs, without their batches (ptaccum -batches 16 keeps them)";
+        return "it is merged from several runs, without their batches (ptaccum -batches 16 -o file.exr keeps them)";
     if (!p.floats)
         return "its pixels are not floats, which tell too little (leave out -last and -fc of ptaccum; of a file: "
-               "ptaccum -batches 16 -o file.exr)";
+               "ptaccum -o file.exr)";
     return "";
 }
 

@@ -10,8 +10,8 @@
 namespace report {
 
 constexpr const char* no_batches =
-    "a picture by itself holds no batches of frames; the stream of sums does (ptaccum without -last), and a file of "
-    "ptaccum -batches 16 -o file.exr";
+    "a picture by itself holds no batches of frames; the stream of sums does (ptaccum without -last), and an OpenEXR "
+    "file (ptaccum -o file.exr)";
 
 struct Sum {
     image::GrowingParts growing;

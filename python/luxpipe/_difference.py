@@ -24,7 +24,7 @@ def difference(a: Run, b: Run, metrics: str | Sequence[str] = "Ev,DGP,DGPf", *, 
                regions: PathLike | None = None, options: Sequence[str] = ()) -> dict[str, Interval]:
     """Return what b is above a, an `Interval` for each metric; one that does not hold 0 tells the two apart.
 
-    A run is an OpenEXR file of ``ptaccum -batches 16``, or the list of results of `frames`.  Two runs of the same seed,
+    A run is an OpenEXR file of ``ptaccum -o a.exr``, or the list of results of `frames`.  Two runs of the same seed,
     size and frames share noise, so that their difference is known better than of independent runs.  Of pictures by
     themselves there is a difference without an interval.  options are further options of vcmetrics.
 

@@ -28,17 +28,17 @@ figure { display: inline-block; margin: 4px; text-align: center } figcaption { f
 HEAD
     tail -n +2 table.tsv | sort -t "$(printf '\t')" -k1,1 -k2,2n -k3,3 -k4,4 | awk -F '\t' "$classes"'
         { row = $1 ", blind " $2 ", " $3; if (!(row in seen)) { seen[row] = 1; rows[++n] = row }
-          if (!($4 in hour)) { hour[$4] = 1; hours[++m] = $4 } value[row, $4] = $6 }
+          if (!($4 in hour)) { hour[$4] = 1; hours[++m] = $4 } value[row, $4] = $8 }
         END { printf "<tr><th>"; for (k = 1; k <= m; k++) printf "<th>%s", hours[k]; print ""
               for (r = 1; r <= n; r++) {
                   printf "<tr><th>%s", rows[r]
                   for (k = 1; k <= m; k++) { v = value[rows[r], hours[k]]; printf "<td class=%s>%.2f", class(v), v }
                   print "" } }'
     echo '</table><h1>Luminance, worst first</h1>'
-    tail -n +2 table.tsv | sort -t "$(printf '\t')" -k6,6gr | awk -F '\t' "$classes"'
+    tail -n +2 table.tsv | sort -t "$(printf '\t')" -k8,8gr | awk -F '\t' "$classes"'
         { name = $1 "_" $2 "_" $3 "_" $4
-          printf "<figure class=%s><img src=\"%s.png\" width=96 height=96 alt=\"%s\">", class($6), name, name
+          printf "<figure class=%s><img src=\"%s.png\" width=96 height=96 alt=\"%s\">", class($8), name, name
           printf "<figcaption>%s %s&deg; %s %s h<br>", $1, $2, $3, $4
-          printf "DGP %.2f, %.0f lx</figcaption></figure>\n", $6, $5 }'
+          printf "DGP %.3f (%.3f to %.3f), %.0f lx</figcaption></figure>\n", $8, $9, $10, $5 }'
 } > report.part
 mv report.part report.html

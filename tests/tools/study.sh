@@ -11,8 +11,8 @@ pictures_made() { grep -c -e '-last -o' "$1" || true; }
 
 check 'the study makes each picture once, a table and a page' '
     study OUT=whole > log; [ "$(pictures_made log)" = 8 ]; [ "$(wc -l < whole/table.tsv)" = 9 ]
-    head -n 1 whole/table.tsv | grep -qx "view.blind.sky.hour.Ev.DGPf.RAMMG"
-    grep -q "^desk.35.sunny.09.[0-9.]*.0[.][0-9]" whole/table.tsv
+    head -n 1 whole/table.tsv | grep -qx "view.blind.sky.hour.Ev.Ev.lo.Ev.hi.DGPf.DGPf.lo.DGPf.hi.RAMMG.*"
+    grep -q "^desk.35.sunny.09.[0-9.]*.[0-9.na]*.[0-9.na]*.0[.][0-9]" whole/table.tsv
     grep -q "desk_35_sunny_09.png" whole/report.html; [ "$(ls whole/*.png | wc -l)" = 8 ]'
 check 'a second make does nothing' 'study OUT=whole | grep -q "Nothing to be done"'
 check 'interrupted and resumed: the same table, no picture twice' '

@@ -18,6 +18,7 @@
 #include "base/warnings.h"
 #include "image/exr.h"
 #include "image/exr_file.h"
+#include "image/grey.h"
 #include "image/masks.h"
 #include "image/stream.h"
 #include "image_pictures.h"
@@ -112,6 +113,31 @@ TEST_CASE("OpenEXR keeps the parts of a sum, but not with half floats") {
     half.exr.half = true;
     image::write_file(path, p, half);
     CHECK(image::read_file(path).parts.empty());
+}
+
+TEST_CASE("parts that nobody asked for are kept to a sixteenth of their noise, and their mean is the picture") {
+    TempFolder temp;
+    Picture p = small_picture(4, 4);
+    p.header.frames = 9;
+    const std::vector<float> mean = image::grey_of(p.rgb);
+    p.parts = {{5, mean, {{7, {{1, 5}}}}}, {4, mean, {{7, {{6, 9}}}}}};
+    std::vector<float> noise(16);
+    for (size_t i = 0; i < 16; ++i) {  // a bright pixel among dark ones
+        noise[i] = 1e-3f * std::fabs(mean[i]) * (i == 5 ? 1e6f : float(i + 1));
+        p.parts[0].grey[i] += 4 * noise[i], p.parts[1].grey[i] -= 5 * noise[i];
+    }
+    image::WriteOptions coarse;
+    coarse.exr.coarse_parts = true;
+    image::write_file(temp.name("a.exr"), p, coarse);
+    const Picture q = image::read_file(temp.name("a.exr"));
+    REQUIRE(q.parts.size() == 2);
+    CHECK(q.parts[1].from == p.parts[1].from);
+    for (size_t i = 0; i < 16; ++i) {
+        const double first = double(q.parts[0].grey[i]), second = double(q.parts[1].grey[i]),
+                     rounding = 1e-6 * std::fabs(first);
+        CHECK(std::fabs(first - double(p.parts[0].grey[i])) <= 4 * double(noise[i]) / 16 + rounding);
+        CHECK(std::fabs((5 * first + 4 * second) / 9 - double(mean[i])) <= rounding);
+    }
 }
 
 TEST_CASE("parts that no picture can have are told in a line") {

@@ -29,9 +29,10 @@ void declare_output(OptionTable& t, Options& opt) {
         .also_joined();
     t.add("-ff", "Float pixels in all RADIANCE pictures", opt.floats);
     t.add("-fc", "RGBE pixels in all RADIANCE pictures", opt.bytes);
-    t.add("-batches N", "Keep N parts of the frames in OpenEXR files, for vcmetrics -ci", [&](Arguments& a) {
-         opt.batches = int(a.integer(base::within(2, double(image::most_parts))));
-     }).default_text("as many as the inputs have");
+    t.add("-batches N", "Keep N parts of the frames in OpenEXR files, for vcmetrics -ci; 0: none", [&](Arguments& a) {
+         opt.batches = int(a.integer(base::within(0, double(image::most_parts))));
+         if (opt.batches == 1) base::fail("-batches", "one part tells nothing of its error: 2 to 16, or 0");
+     }).default_text("16 of frames, in a merge as many as the inputs have");
     t.add("-half", "16-bit floats in OpenEXR files", opt.half);
 }
 
@@ -82,8 +83,9 @@ std::optional<Options> parse_options(int argc, char** argv) {
     const auto files_end = std::remove(opt.outputs.begin(), opt.outputs.end(), "-");
     const bool exr = std::any_of(opt.outputs.begin(), files_end,
                                  [](const std::string& name) { return image::ending_of(name) == ".exr"; });
-    if (opt.batches && !exr) base::fail("-batches", "are kept in OpenEXR files: -o file.exr");
-    if (opt.batches && opt.half) base::fail("-batches", "cannot be used with -half, whose pixels are too coarse");
+    if (opt.batches > 0 && !exr) base::fail("-batches", "are kept in OpenEXR files: -o file.exr");
+    opt.keeps_parts = exr && !opt.half && opt.batches != 0;
+    if (opt.batches > 0 && opt.half) base::fail("-batches", "cannot be used with -half, whose pixels are too coarse");
     opt.to_stdout = opt.outputs.empty() || files_end != opt.outputs.end();
     opt.outputs.erase(files_end, opt.outputs.end());
     for (const std::string& name : opt.outputs) display::require_writable_ending(name);

@@ -20,6 +20,7 @@ struct Options {
     display::ToneOptions tone;
     bool filter = true;          // -filter: PNG files of frames that come in
     std::optional<int> batches;  // -batches: so many, for OpenEXR files
+    bool keeps_parts = false;    // of frames
     bool half = false;           // -half: OpenEXR with 16-bit floats
 };
 

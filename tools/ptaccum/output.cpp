@@ -77,6 +77,7 @@ void Output::write_files(const image::Picture& picture, bool passing, const std:
     image::WriteOptions how;
     how.pixels = format_of(picture);
     how.exr.half = options_.half;
+    how.exr.coarse_parts = !options_.batches;
     if (passing) how.exr.compression = "none";
     for (const std::string& pattern : options_.outputs) {
         const std::string name = name_of(pattern, picture.header), ending = image::ending_of(name);

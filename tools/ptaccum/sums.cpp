@@ -24,7 +24,7 @@ constexpr int files_share = 20;  // without -every the files are written as ofte
 
 Sums::Sums(const Options& options, const Output& output)
     : options_(options), output_(output), schedule_(options.schedule), filters_(options.filter && writes_png(options)) {
-    if (options.batches) parts_.emplace(size_t(*options.batches));
+    if (options.keeps_parts) parts_.emplace(options.batches ? size_t(*options.batches) : image::most_parts);
 }
 
 Sums::Sums(const Options& options, const Output& output, const image::Picture& sum, const std::string& name)
@@ -32,9 +32,10 @@ Sums::Sums(const Options& options, const Output& output, const image::Picture& s
     if (options.until_percent) base::fail("-until", "needs the frames of a whole sum, not a sum that goes on");
     sum_.resume(sum, name);
     filters_ = false;
-    if (!sum.parts.empty() && !options.batches) parts_.emplace();
+    const bool is_one_part = sum.parts.empty() && sum_.frames() > 0;
+    if (is_one_part && !options.batches) parts_.reset();  // too large a one
     if (parts_ && !sum.parts.empty()) parts_->resume(sum.parts, image::grey_of(sum.rgb), sum_.frames());
-    schedule_.resume(sum_.frames());
+    schedule_.resume(sum_.frames()), of_parts_.resume(sum_.frames());
 }
 
 void Sums::add(const image::Picture& frame, const std::string& place) {
@@ -55,10 +56,12 @@ void Sums::add(const image::Picture& frame, const std::string& place) {
     else if (options_.until_percent) blocks_.add(frame);
     if (filters_ && frame.header.frame == 0) halves_.clear(frame.rgb.size());
     else if (filters_) halves_.add(frame.rgb);
-    if (restarts) schedule_.restart(), moments_streamed_ = false;
+    if (restarts) schedule_.restart(), of_parts_.restart(), moments_streamed_ = false;
     streamed_ = filed_ = false;
     if (output_.to_stdout() && base::stdout_is_closed()) throw base::ClosedPipe{};  // the next write may be far
+    const bool parts_due = parts_ && of_parts_.due(sum_.frames());
     if (schedule_.due(sum_.frames())) write_due();
+    else if (parts_due) take_sum(false);
     if (progress_.due()) progress_.show(fmt::format("{} frames", sum_.frames()));
 }
 

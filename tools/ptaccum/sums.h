@@ -38,9 +38,10 @@ private:
     image::Picture result_;
     film::Schedule schedule_;
     film::BlockError blocks_;                   // with -until
-    std::optional<image::GrowingParts> parts_;  // with -batches
-    bool filters_;                              // PNG files are asked for, and all frames come through here
-    display::HalfSums halves_;                  // where it does
+    std::optional<image::GrowingParts> parts_;  // for OpenEXR files
+    film::Schedule of_parts_ = film::Schedule::parse("x2/16", "");
+    bool filters_;              // PNG files are asked for, and all frames come through here
+    display::HalfSums halves_;  // where it does
     base::Progress progress_{"ptaccum"};
     bool moments_streamed_ = false;        // moments of this sum: written behind its first picture
     bool streamed_ = true, filed_ = true;  // the last sum is written there for good
