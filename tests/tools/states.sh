@@ -49,3 +49,28 @@ check_error 'edits are of one state' 1 '^ptrace: -state: edits are of one state'
     ptrace $view -watch "${states[@]}" sky.rad room.rad | cat'
 check_error 'a file that is no part of the scene' 1 '^ptrace: -state: shut: "none.rad" is not a file of the scene$' '
     ptrace $view -frames 2 -state shut=-none.rad sky.rad room.rad | cat'
+# A room with two openings that do not see each other, and black shades: what goes out is lost either way, so that light is
+# the sum of that of each opening.
+box() { printf 'wall polygon %s 0 0 12 %s\n' "$1" "$2"; }
+{
+    printf 'void plastic wall 0 0 5 .6 .6 .6 0 0\nvoid plastic black 0 0 5 0 0 0 0 0\n'
+    box floor '0 0 0 4 0 0 4 4 0 0 4 0'; box ceiling '0 0 3 0 4 3 4 4 3 4 0 3'
+    box north '0 4 0 4 4 0 4 4 3 0 4 3'; box east '4 0 0 4 4 0 4 4 3 4 0 3'
+    box low '0 0 0 4 0 0 4 0 1 0 0 1'; box high '0 0 2.5 4 0 2.5 4 0 3 0 0 3'
+    box left '0 0 1 1 0 1 1 0 2.5 0 0 2.5'; box right '2 0 1 4 0 1 4 0 2.5 2 0 2.5'
+    box west_low '0 0 0 0 0 1 0 4 1 0 4 0'; box west_high '0 0 2.5 0 0 3 0 4 3 0 4 2.5'
+    box west_left '0 0 1 0 0 2.5 0 2 2.5 0 2 1'; box west_right '0 3 1 0 3 2.5 0 4 2.5 0 4 1'
+} > two.rad
+printf 'black polygon s 0 0 12 1 -.01 1 2 -.01 1 2 -.01 2.5 1 -.01 2.5\n' > s.rad
+printf 'black polygon w 0 0 12 -.01 2 1 -.01 3 1 -.01 3 2.5 -.01 2 2.5\n' > w.rad
+printf '1.5 1 .8 0 0 1\n1 2.5 .8 0 0 1\n2 2 .8 0 0 1\n3 3 .8 0 0 1\n' > four.pts
+check 'light of two groups that do not see each other is the sum of both, in 24 hours' '
+    head -n 6 y.wea > day.wea
+    for h in $(seq 7 17); do for m in 3 6 9; do echo "$m 21 $h.5 500 120"; done; done | head -n 24 >> day.wea
+    ptrace -w- -points four.pts -wea day.wea -frames 33 -state s/open -state s/shut=s.rad -state w/open -state w/shut=w.rad \
+        two.rad 2> said | ptaccum -every x2/8 | vcmetrics -W- -each > rows
+    awk -F "\t" "NR > 1 { key = \$1 \" \" \$4; sign = \$2 ~ /open.*open|shut.*shut/ ? 1 : -1; split(\$8, e, /[=\\/]/)
+        off[key] += sign * \$5; all[key] += e[2] ^ 2; if (\$2 ~ /open.*open/) lux += \$5 }
+        END { for (k in off) { n++; z = all[k] ? off[k] ^ 2 / all[k] : 0; sum += z; far += z > 16; total += off[k] }
+            printf \"%d sensors by hours, z2 %.2f, %d far, %.3f %%\n\", n, sum / n, far, 100 * total / lux
+            exit !(n == 96 && sum / n < 2 && far <= 2 && lux > 0) }" rows > sums || { cat sums >&2; false; }'
