@@ -77,6 +77,7 @@ export class Sliders {
   set(text, going = false, said = '') {
     const one = this.now;
     if (text === one.text) return;
+    this.say('');
     one.said = said;
     one.going = going;
     one.text = text;
@@ -110,7 +111,8 @@ export class Sliders {
       one.small = Boolean(wrong);
       one.rested = one.sent;
     }
-    this.say(wrong);
+    if (wrong || one.wrong) this.say(wrong);  // else what Save has said meanwhile stays
+    one.wrong = wrong;
     setTimeout(() => {
       one.sending = false;
       if (one.again || one.small > one.going) this.send(one);
