@@ -49,8 +49,8 @@ check_error 'edits are of one state' 1 '^ptrace: -state: edits are of one state'
     ptrace $view -watch "${states[@]}" sky.rad room.rad | cat'
 check_error 'a file that is no part of the scene' 1 '^ptrace: -state: shut: "none.rad" is not a file of the scene$' '
     ptrace $view -frames 2 -state shut=-none.rad sky.rad room.rad | cat'
-# A room with two openings that do not see each other, and black shades: what goes out is lost either way, so that light is
-# the sum of that of each opening.
+# A room with two openings that do not see each other, and black shades: what goes out is lost either way, so that
+# light is the sum of that of each opening.
 box() { printf 'wall polygon %s 0 0 12 %s\n' "$1" "$2"; }
 {
     printf 'void plastic wall 0 0 5 .6 .6 .6 0 0\nvoid plastic black 0 0 5 0 0 0 0 0\n'
@@ -67,8 +67,8 @@ printf '1.5 1 .8 0 0 1\n1 2.5 .8 0 0 1\n2 2 .8 0 0 1\n3 3 .8 0 0 1\n' > four.pts
 check 'light of two groups that do not see each other is the sum of both, in 24 hours' '
     head -n 6 y.wea > day.wea
     for h in $(seq 7 17); do for m in 3 6 9; do echo "$m 21 $h.5 500 120"; done; done | head -n 24 >> day.wea
-    ptrace -w- -points four.pts -wea day.wea -frames 33 -state s/open -state s/shut=s.rad -state w/open -state w/shut=w.rad \
-        two.rad 2> said | ptaccum -every x2/8 | vcmetrics -W- -each > rows
+    ptrace -w- -points four.pts -wea day.wea -frames 33 -state s/open -state s/shut=s.rad -state w/open \
+        -state w/shut=w.rad two.rad 2> said | ptaccum -every x2/8 | vcmetrics -W- -each > rows
     awk -F "\t" "NR > 1 { key = \$1 \" \" \$4; sign = \$2 ~ /open.*open|shut.*shut/ ? 1 : -1; split(\$8, e, /[=\\/]/)
         off[key] += sign * \$5; all[key] += e[2] ^ 2; if (\$2 ~ /open.*open/) lux += \$5 }
         END { for (k in off) { n++; z = all[k] ? off[k] ^ 2 / all[k] : 0; sum += z; far += z > 16; total += off[k] }
