@@ -24,11 +24,22 @@ std::string sum_row(const char* of, const std::string& name, const device::Rgb& 
     return fmt::format("{}\t{}\t{}\t{}\n", of, name, triple(rgb, "\t"), share(rgb, sums));
 }
 
+constexpr size_t most_surfaces = 10;
+
+using Named = std::vector<std::pair<std::string, device::Rgb>>;
+Named brightest_first(const std::map<std::string, device::Rgb>& sums) {
+    Named all(sums.begin(), sums.end());
+    std::stable_sort(all.begin(), all.end(),
+                     [](const auto& a, const auto& b) { return image::grey(a.second) > image::grey(b.second); });
+    return all;
+}
+
 }  // namespace
 
 void PixelSums::add(const PixelRow& row) {
     if (row.light.empty()) return;
-    for (device::Rgb* sum : {&by_light[row.light], &by_bounces[row.bounces], &all})
+    const std::string surface = row.place.empty() ? "(none)" : row.surface + " (" + row.place + ")";
+    for (device::Rgb* sum : {&by_light[row.light], &by_surface[surface], &by_bounces[row.bounces], &all})
         for (size_t c = 0; c < 3; c++) (*sum)[c] += row.rgb[c];
 }
 
@@ -45,10 +56,10 @@ std::string vertex_table(const std::vector<PixelRow>& rows, const PixelSums& sum
 
 std::string sum_table(const PixelSums& sums) {
     std::string out = "by\tname\tred\tgreen\tblue\tshare\n";
-    std::vector<std::pair<std::string, device::Rgb>> lights(sums.by_light.begin(), sums.by_light.end());
-    std::stable_sort(lights.begin(), lights.end(),
-                     [](const auto& a, const auto& b) { return image::grey(a.second) > image::grey(b.second); });
-    for (const auto& [name, rgb] : lights) out += sum_row("light", name, rgb, sums);
+    for (const auto& [name, rgb] : brightest_first(sums.by_light)) out += sum_row("light", name, rgb, sums);
+    auto surfaces = brightest_first(sums.by_surface);
+    surfaces.resize(std::min(surfaces.size(), most_surfaces));
+    for (const auto& [name, rgb] : surfaces) out += sum_row("surface", name, rgb, sums);
     for (const auto& [bounces, rgb] : sums.by_bounces) out += sum_row("bounces", std::to_string(bounces), rgb, sums);
     return out + sum_row("pixel", "", sums.all, sums);
 }

@@ -8,7 +8,7 @@ namespace render {
 
 // Contributions of a pixel, summed.
 struct PixelSums {
-    std::map<std::string, device::Rgb> by_light;
+    std::map<std::string, device::Rgb> by_light, by_surface;  // where the light arrived, with its place
     std::map<uint32_t, device::Rgb> by_bounces;
     device::Rgb all{};
     void add(const PixelRow& row);

@@ -166,6 +166,7 @@ check '-pixel prints the light of a pixel, which sums to that of the picture' '
     ptrace $view -pixel 16,17 -frames 0:0 sky.rad > one; ptrace $view -pixel 16,17 -frames 5 sky.rad > five
     head -1 one | grep -q "^frame.path.vertex.surface.material.place.point.lobe.weight.bounces.light.red"
     head -1 five | grep -qx "by.name.red.green.blue.share"; grep -q "^pixel.*.100$" five
+    grep -q "^surface	.* (sky.rad:[0-9]*)	\|^surface	(none)	" five
     awk -F"\t" "NF == 15 && NR > 1 {sum += \$12} /^pixel/ {all = \$3}
         END {exit !(all > 0 && (sum / all - 1) ^ 2 < 1e-10)}" one'
 check_error '-pixel outside of the picture' 1 '^ptrace: -pixel: 32,0 is outside of a picture of 32 x 32' '
