@@ -14,6 +14,7 @@
 #include "report/page_figures.h"
 #include "report/page_style.h"
 #include "report/table.h"
+#include "report/verdict_words.h"
 
 namespace report {
 
@@ -95,16 +96,15 @@ std::string verdict(const Page& page) {
             if (!dgp && n.name == name && std::isfinite(n.value)) dgp = &n;
     if (!dgp) return "<p class=\"verdict\">DGP is not among the numbers.</p>\n";
     const bool known = std::isfinite(dgp->low) && std::isfinite(dgp->high);
-    const int low = glare::dgp_class(known ? dgp->low : dgp->value),
-              high = glare::dgp_class(known ? dgp->high : dgp->value);
-    std::string words = glare::dgp_classes[high];
-    if (low != high) words = glare::dgp_classes[low] + (" to " + words);
-    std::string out = fmt::format("<div class=\"verdict class{}\"><p class=\"words\">Glare is {}</p>\n<p>{} {}", high,
-                                  words, dgp->name, value_text(*dgp));
+    const VerdictWords said = verdict_words(dgp->value, dgp->low, dgp->high);
+    std::string out = said.words.empty()
+                          ? "<div class=\"verdict\"><p class=\"words\">The class of glare is not known yet</p>\n"
+                          : fmt::format("<div class=\"verdict class{}\"><p class=\"words\">Glare is {}</p>\n",
+                                        said.worst, said.words);
+    out += fmt::format("<p>{} {}", dgp->name, value_text(*dgp));
     if (known) out += fmt::format(" ({:g} % interval: {})", 100 * page.certainty, interval_text(*dgp));
-    if (dgp->value >= .2 && dgp->value <= .8)
-        out += fmt::format(": about {:.0f} of 100 people would be disturbed by glare in this view", 100 * dgp->value);
-    return out + ".</p>\n" + dgp_bar(*dgp) + "</div>\n";
+    out += ". " + said.people;
+    return out + "</p>\n" + dgp_bar(*dgp) + "</div>\n";
 }
 
 // "26 November 2026", of CAPDATE= 2026:11:26 04:01:25.

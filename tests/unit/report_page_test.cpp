@@ -4,11 +4,14 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <fstream>
 #include <sstream>
 
 #include "base/sha256.h"
+#include "base/split.h"
 #include "report/page.h"
 #include "report/table.h"
+#include "report/verdict_words.h"
 
 using report::Page;
 
@@ -71,6 +74,21 @@ TEST_CASE("the class is in words, and in two where the interval holds a limit") 
     CHECK(verdict_of(.451, .4505, .452) == "intolerable");
     CHECK(verdict_of(.36, .349, .37) == "imperceptible to perceptible");
     CHECK(verdict_of(none, none, none) == "");
+}
+
+TEST_CASE("a class and what it means are in the words of the live page, and none where the interval holds three") {
+    std::ifstream table(LUXPIPE_TESTS "/golden/verdicts.tsv");
+    int rows = 0;
+    for (std::string line; std::getline(table, line);) {
+        if (line[0] == '#') continue;
+        const std::vector<std::string> cells = base::split_list(line, '\t');
+        const auto said = report::verdict_words(std::stod(cells[0]), std::stod(cells[1]), std::stod(cells[2]));
+        CHECK((said.words.empty() ? "-" : said.words) == cells[3]);
+        CHECK(said.people == (cells.size() > 4 ? cells[4] : ""));
+        ++rows;
+    }
+    CHECK(rows == 7);
+    CHECK(verdict_of(.38, .34, .41) == "");
 }
 
 TEST_CASE("a black picture has no class; what limits the numbers stands below the verdict") {
