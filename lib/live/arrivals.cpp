@@ -196,6 +196,7 @@ void take(State& s, Effects&, const Came& came) {
 void take(State& s, Effects&, const Measured& m) {
     if (m.which == Which::day) return take_of_day(s, m);
     s.numbers = {m.row.edit(), numbers_of(m.row)};
+    if (m.row.of("settled") > 0) s.rest.settled = m.row.edit();
     for (Result& r : s.results)
         if (r.edit == s.numbers.first) r.numbers = s.numbers.second;
 }
@@ -205,6 +206,7 @@ void take(State& s, Effects&, const Said& said) {
     if (base::begins_with(line, "ptrace: same ")) return take_same(s, said);
     if (base::begins_with(line, "ptrace: what ")) return take_answer(s, line);
     const bool fails = base::begins_with(line, "ptrace: ") && line.find(": warning: ") == line.npos;
+    if (line.find(": settled after ") != line.npos) return;                                     // a column says so
     if (said.which != Which::picture && line.find(": reading the model") != line.npos) return;  // it takes long
     if (said.which == Which::day) return fails ? fail_hour(s) : void();
     const auto known = [&](const Message& m) { return m.stands && m.text == line; };
@@ -244,7 +246,7 @@ void take(State& s, Effects& out, const FileIs& is) {
 void take(State& s, Effects& out, const Ended& e) {
     Pipe& p = s.pipe(e.which);
     p.stage = Pipe::Stage::ended;
-    if (e.which == Which::day) s.day.asked.reset();  // it will not come
+    if (e.which == Which::day) s.day.asked.reset(), s.first.asked = false;  // it will not come
     const bool again = p.own && p.starts == 1 && p.edit >= 0 && !e.what.empty();
     if (!e.what.empty()) say(s, Cause::programs, "vcview: " + e.what + (again ? ": it is started again" : ""));
     if (again) start(s, out, e.which);

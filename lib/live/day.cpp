@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// DGPf over the hours of the sky's date.  A pipe of the same programs renders the scene small, hour by hour, while the
-// picture of the page is good enough; it begins anew when the model, the view or the date is another one.
+// DGPf in small pictures, by a pipe of the same programs: of the model of the page, until its own picture has an
+// interval, and of the hours of the sky's date, one after another, while that picture is good enough.  The hours begin
+// anew when the model, the view or the date is another one.
 #include <algorithm>
 #include <cmath>
 #include <regex>
@@ -12,7 +13,7 @@ namespace live {
 
 namespace {
 
-constexpr int64_t last_frame = 8;    // of an hour
+constexpr int64_t last_frame = 8;    // of a small picture
 constexpr int64_t good_enough = 32;  // frames of the page's picture
 constexpr int noon = 12;             // the first hour
 constexpr double dark_lx = 1;
@@ -77,6 +78,34 @@ void take_hour(Day& day, const std::array<double, 4>& row) {
     day.asked.reset();
 }
 
+// The newest row is of this look.
+bool has_row(const State& s, const Look& look) {
+    const Pipe& p = s.pipe(Which::day);
+    return p.sent.empty() && p.edit >= p.first_edit && p.look == look && s.small.edit == p.edit;
+}
+
+// The picture of the page has an interval of its own, or somebody moves it.
+bool first_can_wait(const State& s) {
+    const Pipe& p = s.pipe(Which::picture);
+    return s.preview || s.going >= 0 || !s.newest || s.first.failed ||
+           (p.look == s.first.look && s.numbers.first == p.edit && !s.numbers.second.empty());
+}
+
+// False: it is asked for, and goes before the hours.
+bool has_first(State& s, Effects& out) {
+    Pipe& p = s.pipe(Which::day);
+    First& first = s.first;
+    if (const Look now = look_now(s); first.look != now) first = {now};
+    if (first.asked && has_row(s, first.look)) first.frame = s.small.frame, first.row = s.small.row;
+    if (first.asked) return first.failed || first.frame >= last_frame;
+    if (p.stage == Pipe::Stage::ended || first_can_wait(s)) return true;
+    if (p.stage == Pipe::Stage::asleep) start(s, out, Which::day);
+    first.asked = true;
+    s.day.asked.reset();
+    tell(s, out, Which::day, first.look, "now");
+    return false;
+}
+
 }  // namespace
 
 void look_at_day(State& s, Effects& out) {
@@ -84,8 +113,8 @@ void look_at_day(State& s, Effects& out) {
     Day& day = s.day;
     if (p.stage == Pipe::Stage::none) return;
     begin(s);
-    const bool seen = day.asked && p.sent.empty() && p.edit >= p.first_edit && p.look == day.asked_look;
-    if (seen && s.hour.first == p.edit) take_hour(day, s.hour.second);
+    if (!has_first(s, out)) return;
+    if (day.asked && has_row(s, day.asked_look) && s.small.frame >= last_frame) take_hour(day, s.small.row);
     const image::Picture* shown = s.picture.get();
     if (s.preview || day.asked || !day.sky || !next_hour(day) || p.stage == Pipe::Stage::ended) return;
     if (!shown || shown->header.edited == "preview" || shown->header.frames.value_or(0) < good_enough) return;
@@ -97,14 +126,25 @@ void look_at_day(State& s, Effects& out) {
 }
 
 void take_of_day(State& s, const Measured& m) {
-    if (m.row.frame() >= last_frame)
-        s.hour = {m.row.edit(), {m.row.of("DGPf"), m.row.of("DGPf.lo"), m.row.of("DGPf.hi"), m.row.of("Ev")}};
+    s.small = {
+        m.row.edit(), m.row.frame(), {m.row.of("DGPf"), m.row.of("DGPf.lo"), m.row.of("DGPf.hi"), m.row.of("Ev")}};
 }
 
 // There is no sky at this hour.
 void fail_hour(State& s) {
+    if (s.first.asked && !s.day.asked) s.first.failed = true;
     if (s.day.asked) end_at(s.day, *s.day.asked);
     s.day.asked.reset();
+}
+
+std::string json_of_first(const State& s) {
+    const First& f = s.first;
+    if (f.look != look_now(s) || f.frame < 0) return "null";
+    return json::object({{"frame", std::to_string(f.frame)},
+                         {"DGPf", json::number(f.row[0])},
+                         {"DGPf.lo", json::number(f.row[1])},
+                         {"DGPf.hi", json::number(f.row[2])},
+                         {"Ev", json::number(f.row[3])}});
 }
 
 std::string json_of_day(const State& s) {

@@ -53,7 +53,7 @@ Answer control(State& s, Effects& out, const Request& r) {
         if (word != "what" && word != "next") s.paused = word == "pause";
         if (word == "preview") s.preview = s.at;
         else if (word != "what" && word != "next" && word != "pause") s.preview.reset();
-        if (word == "go") s.going = -1;
+        if (word == "go") s.going = -1, s.rest.goes_on = s.pipe(Which::picture).edit;
         if (word == "view") change_view(s, out, line);
         else out.push_back(ToPipe{Which::picture, line + "\n"});
     }

@@ -63,6 +63,7 @@ struct Server::State {
     MHD_Daemon* daemon = nullptr;
     std::mutex mutex;  // of what follows
     std::vector<MHD_Connection*> waiting;
+    Clock::time_point looked{};  // a window asked for news
     bool ends = false;
     std::condition_variable tick;
     std::thread ticker;
@@ -99,11 +100,12 @@ struct Server::State {
         std::unique_lock<std::mutex> lock(mutex);
         while (!tick.wait_for(lock, between_looks, [&] { return ends; })) {
             visitors.look();
+            const bool watched = Clock::now() - looked < longest_wait;
             lock.unlock();
             live.look_at_files();
             if (!options.control.empty()) live.put(Listens{Which::picture, commands.listens(options.control)});
             points.look(live);
-            live.put(Tick{});
+            live.put(Tick{watched});
             design.look();
             lock.lock();
             if (Clock::now() - woken < longest_wait / 4) continue;
@@ -147,6 +149,11 @@ struct Server::State {
         return same_secret(header(connection, "X-Luxpipe-Token"), token) ? 0 : MHD_HTTP_UNAUTHORIZED;
     }
 
+    std::optional<Answer> news(const Arguments& known) {
+        looked = Clock::now();
+        return answer_next(live, known);
+    }
+
     Answer facts() const {
         const std::string files = json::list_of(live.files(), [](const TextFile& f) {
             return json::object({{"name", json::text(f.path)},
@@ -154,7 +161,9 @@ struct Server::State {
                                  {"writable", json::truth(f.writable)}});
         });
         const bool control = options.own || !options.control.empty();
-        return {MHD_HTTP_OK, "application/json", json::object({{"control", json::truth(control)}, {"files", files}})};
+        return {
+            MHD_HTTP_OK, "application/json",
+            json::object({{"control", json::truth(control)}, {"scene", json::text(options.name)}, {"files", files}})};
     }
 
     MHD_Result answer(MHD_Connection* connection, const std::string& path, const std::string& method,
@@ -172,7 +181,7 @@ struct Server::State {
         if (method != "GET") return send(connection, plain(MHD_HTTP_METHOD_NOT_ALLOWED, "GET only"));
         if (const PageFile* file = page_file(path))
             return send(connection, {MHD_HTTP_OK, std::string(file->type), std::string(file->text)});
-        if (path == "/next") return wait_for(connection, request, [&] { return answer_next(live, asked); });
+        if (path == "/next") return wait_for(connection, request, [&] { return news(asked); });
         if (path == "/sources")
             return wait_for(connection, request, [&] { return answer_asked(sources, "-sources", asked); });
         if (path == "/plan") return wait_for(connection, request, [&] { return answer_asked(map, "-over", asked); });

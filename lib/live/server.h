@@ -45,6 +45,7 @@ struct ServerOptions {
     std::string listen = "127.0.0.1";  // address
     std::string control;               // FIFO of ptrace -control; empty: none
     bool own = false;                  // the programs are ours, and read what they are told
+    std::string name;                  // of the scene, for people
     std::vector<std::string> views;    // view files that are offered
     std::string against;               // what edits are compared with: previous, first or a variant
     std::string design;                // file that the design is read from and written to; empty: none

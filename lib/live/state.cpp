@@ -41,6 +41,11 @@ std::string against_of(const State& s) {
     return edit >= 0 ? std::to_string(edit) : s.against;
 }
 
+bool picture_waits(const State& s) {
+    const auto broken = [](const Message& m) { return m.stands && m.cause == Message::Cause::scene; };
+    return !s.pipe(Which::picture).sent.empty() && std::none_of(s.messages.begin(), s.messages.end(), broken);
+}
+
 std::optional<size_t> regions_file(const State& s) {
     for (size_t n = 0; n < s.files.size(); ++n)
         if (s.files[n].kind == TextFile::Kind::regions) return n;
@@ -94,6 +99,8 @@ std::string json_of(const State& s, bool whole) {
         {"steps", json_of_steps(s)},
         {"before", std::to_string(s.before ? s.before->header.edit.value_or(0) : -1)},
         {"day", json_of_day(s)},
+        {"first", json_of_first(s)},
+        {"waits", json::truth(picture_waits(s))},
         {"plan", json_of_plan(s)},
         {"base", json::text(s.now.base)},
         {"against", json::text(s.against)},
@@ -103,6 +110,7 @@ std::string json_of(const State& s, bool whole) {
         {"messages", json::list(all)},
         {"current", std::to_string(standing.size())},
         {"paused", json::truth(s.paused)},
+        {"rests", json::truth(s.rest.now)},
         {"again", json::truth(has_ended(s))},
     });
 }

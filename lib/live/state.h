@@ -112,6 +112,15 @@ struct Day {
     bool ends[2] = {};                           // nothing is to come before, after these hours
 };
 
+// DGPf of the model of the page in a small picture, which has an interval long before the large one: the pipe of the
+// day renders it before any hour.
+struct First {
+    Look look;
+    bool asked = false, failed = false;
+    int64_t frame = -1;  // of the row
+    std::array<double, 4> row{};
+};
+
 // Maps of points; a pipe keeps their sum in a file, which is drawn when the page asks.
 struct Plan {
     double limit_lx = 300;         // of the line in the map and of the share
@@ -134,6 +143,12 @@ struct State {
     double at = 0, asked_at = -1e9;  // seconds: now, and when the page asked for a change
     std::optional<double> preview;   // small pictures are asked for: last at
     bool paused = false;
+    struct {
+        bool now = false;      // the picture's programs wait, and end that with the next edit
+        double seen = -1;      // when a window last looked; none has yet: negative
+        int64_t settled = -1;  // the edit whose numbers are
+        int64_t goes_on = -1;  // the edit that the page wants to go on
+    } rest;
     std::shared_ptr<const image::Picture> picture, newest, before;  // the newest; no preview; of the edit before that
     std::vector<std::pair<int64_t, std::string>> edits;             // number and words of what has been rendered
     std::vector<std::string> earlier;                               // words of those before the design was opened again
@@ -142,7 +157,11 @@ struct State {
     std::deque<Message> messages;
     size_t told = 0;  // so many there have been
     Day day;
-    std::pair<int64_t, std::array<double, 4>> hour{-1, {}};  // of the newest edit of that pipe that is whole
+    First first;
+    struct {
+        int64_t edit = -1, frame = -1;
+        std::array<double, 4> row{};  // DGPf, its interval, Ev
+    } small;                          // the newest row of the pipe of the day
     Plan plan;
     std::string against = "previous";  // what edits are compared with where there is no base (vcmetrics -against)
     std::string said_against;
@@ -168,6 +187,7 @@ const Result* result_of(const State& s, const Look& look);
 std::string against_of(const State& s);  // for vcmetrics -against
 bool plan_waits(const State& s);         // for the model of the page
 bool has_ended(const State& s);          // a program that can be started again
+bool picture_waits(const State& s);      // likewise, and nothing in the scene is wrong
 std::optional<size_t> regions_file(const State& s);
 // For the page, without the texts.  whole: with the numbers of variants, which change with each row.
 std::string json_of(const State& s, bool whole = true);

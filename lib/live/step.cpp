@@ -27,11 +27,16 @@ void count_versions(State& s, const Texts& before) {
 }
 
 // A window that has asked for small pictures and says no more may be gone: the full one is asked for.
-void take(State& s, Effects& out, const Tick&) {
+void end_preview(State& s, Effects& out) {
     if (!s.preview || s.at - *s.preview <= longest_preview) return;
     s.preview.reset();
     s.going = -1;
     out.push_back(ToPipe{Which::picture, "go\n"});
+}
+
+void take(State& s, Effects& out, const Tick& e) {
+    end_preview(s, out);
+    look_at_rest(s, out, e.watched);
 }
 
 void take(State& s, Effects&, const PointsChanged&) { ++s.plan.points, s.plan.number += s.plan.number > 0; }
@@ -127,6 +132,7 @@ void tell(State& s, Effects& out, Which which, const Look& look, const std::stri
         p.sent.push_back({++s.sent, look});
         bytes = "note " + one_line(words) + " [" + std::to_string(s.sent) + "]\n" + bytes;
     }
+    if (which == Which::picture && !bytes.empty()) s.rest.now = false;  // an edit ends it
     if (p.sent.size() > most_sent) forget_first(p);
     if (!(ahead + bytes).empty()) out.push_back(ToPipe{which, ahead + bytes});
 }

@@ -63,7 +63,9 @@ struct Ended {
     std::string what;  // "ptrace was ended by signal 9"; empty: they have said why
     int status;        // of the last that failed
 };
-struct Tick {};
+struct Tick {
+    bool watched = false;  // a window waits for news
+};
 struct Event {
     double at;  // seconds
     std::variant<Request, Came, Measured, Said, FileIs, PointsChanged, Drawn, Saved, Listens, Ended, Tick> what;

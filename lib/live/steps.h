@@ -30,8 +30,10 @@ void look_at_day(State& s, Effects& out);
 void take_of_day(State& s, const Measured& row);
 void fail_hour(State& s);
 std::string json_of_day(const State& s);
+std::string json_of_first(const State& s);
 void look_at_plan(State& s, Effects& out);
 std::string json_of_plan(const State& s);
+void look_at_rest(State& s, Effects& out, bool watched);
 
 std::string one_line(std::string words);
 

@@ -132,6 +132,10 @@ numbers = {n for name, n in zip(table[0], table[-2]) if name not in ('frame', 's
 check('with the numbers of the last line', numbers <= values, values)
 
 # keys: tone, keep, compare; nothing is restarted
+check('a photo first', page.js('document.getElementById("tone").value') == 'photo')
+page.click('#luminance')
+check('falsecolor is one click away', page.js('document.getElementById("tone").value') == 'falsecolor' and
+      soon(lambda: page.one('#legend').is_displayed()))
 before = page.js('document.getElementById("tone").value')
 page.keys('body', 't')
 page.menu('Scale')
@@ -149,7 +153,9 @@ for kind, shown in (('falsecolor', True), ('photo', False)):
         page.chrome.execute_script(f"""const compare = document.getElementById('compare');
             compare.value = '{compare}'; compare.dispatchEvent(new Event('change'));""")
         check(f'the scale under {kind}, compared: {compare}', soon(
-            lambda: page.one('#legend').is_displayed() == (shown and compare == 'no'), 5))
+            lambda: page.one('#legend').is_displayed() == (shown or compare == 'difference'), 5))
+        words = page.text('#caption')
+        check('a comparison says with what', ('compared with' in words) == (compare == 'difference'), words)
 page.check_keyboard()
 page.check_contrast()
 

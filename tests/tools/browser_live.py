@@ -23,6 +23,7 @@ def told_apart(name, at=0):
 
 check('a picture and its numbers come', page.until(
     'document.body.dataset.picture > 0 && document.body.dataset.lines > 3', SECONDS))
+page.js('document.getElementById("edits-more").click()')  # Ev, too
 check('there is no column of a region yet', not any('TAL' in n for n in names()), names())
 
 page.keys('#canvas', 'w')

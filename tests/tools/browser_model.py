@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Camera, sliders and the table of edits in the page of vcview: browser_model.py LINK GOT SIZE
 #   LINK: what vcview printed; GOT: what arrives in the FIFO; SIZE: sides of the square picture.
-import re, sys
+import os, re, sys
 import xml.etree.ElementTree as xml
 from selenium.webdriver.common.keys import Keys
 from browser_page import Page, check, link_in, soon
@@ -14,23 +14,37 @@ numbers = lambda line: [float(v) for v in re.findall(r'-?[\d.]+(?:e-?\d+)?', lin
 
 # before and after, as the program's columns say it
 check('there is a row for each edit', soon(lambda: len(page.rows('#edits')) == 4))
+heads = lambda: page.text('#edits thead').split()
+check('which has glare alone', heads() == ['edit', 'frames', 'DGP'], heads())
+page.click('#edits-more')
+check('and more on demand', heads()[2:4] == ['Ev', 'DGP'], heads())
 rows = [' '.join(row) for row in page.rows('#edits')]
 check('less glare is better', 'better' in rows[0] and '−0.05' in rows[0], rows[0])
 check('more glare is worse', 'worse' in rows[1], rows[1])
 check('an interval that holds 0 tells nothing apart', 'not told apart yet' in rows[2], rows[2])
 words = page.chrome.execute_async_script('''
     const done = arguments[arguments.length - 1];
-    Promise.all([import('/edits.js'), import('/verdict.js')]).then(([{ judged }, { glare_of, state_of, verdict }]) => {
-        const row = (value, d, low, high) => ({ DGPf: value, 'DGPf.d': d, 'DGPf.d.lo': low, 'DGPf.d.hi': high });
+    Promise.all([import('/judge.js'), import('/verdict.js')]).then(([{ glare_of, judged, verdict },
+        { glare_now, state_of }]) => {
+        const row = (value, d, low, high, half = .001) => ({ DGPf: value, 'DGPf.lo': value - half,
+            'DGPf.hi': value + half, 'DGPf.d': d, 'DGPf.d.lo': low, 'DGPf.d.hi': high });
         const far = row(.3, -.03, -.04, -.02), near = row(.3, -.008, -.009, -.007);
-        const other = row(.348, -.004, -.005, -.003);
-        done([[far, 'overlay', .01], [far, 'view', .01], [near, 'overlay', .01], [other, 'overlay', .01],
-            [far, 'overlay', .05]].map((question) => judged('DGPf', ...question).text).concat([
+        const other = row(.348, -.004, -.005, -.003), then = row(.352), wide = row(.352, 0, 0, 0, .003);
+        const lines = (row) => ({ columns: ['DGPf', 'DGPf.lo'], rows: [row] }), none = { frame: 1, DGPf: .34 };
+        const said = ({ text, number, small }) => [text, number, small ?? false].join('; ');
+        const now = (row, state) => said(glare_now(lines(row), state));
+        done([[far, null, 'overlay', .01], [far, null, 'view', .01], [near, null, 'overlay', .01],
+            [other, then, 'overlay', .01], [far, null, 'overlay', .05]]
+            .map((question) => judged('DGPf', ...question).text).concat([
             state_of({ lost: true }), state_of({ ended: 3, since: 1 }), state_of({ paused: true, since: 1 }),
             state_of({ since: 40 }), state_of({ since: 1, settled: 38 }),
             verdict('DGPf', { DGPf: .36, 'DGPf.lo': .345, 'DGPf.hi': .37 }).text,
             verdict('DGPf', { frame: 4, Ev: 0, DGPf: .2 }).text + verdict('DGPf', { frame: 0, Ev: 0, DGPf: .2 }).number,
-            verdict('DGPf', { frame: 4, Ev: 0, DGPf: .2 }).number, glare_of(['DGPf', 'DGP'], { DGP: .3 })]));
+            verdict('DGPf', { frame: 4, Ev: 0, DGPf: .2 }).number, glare_of(['DGPf', 'DGP'], { DGP: .3 }),
+            judged('DGPf', other, wide, 'overlay', .01).text, judged('DGPf', other, null, 'overlay', .01).text,
+            verdict('DGPf', { DGPf: .36, 'DGPf.lo': .34, 'DGPf.hi': .41 }).text, verdict('DGPf', none).text,
+            now(none, {}), now(none, { first: far }), now(far, { waits: true }), now(far, { waits: true, first: then }),
+            now(then, { first: far }), now(none, { first: row(.36, 0, 0, 0, .06) }), verdict('DGPf', far).told]));
     });''')
 check('better is a word for another class or for more than the threshold, never for a view',
       words[:5] == ['better', 'lower', 'lower', 'better', 'lower'], words)
@@ -39,9 +53,42 @@ check('what the programs do is said in words', all(w in said for w, said in zip(
 check('two classes where the interval holds both', words[10] == '◔ imperceptible to perceptible', words)
 check('a black picture has no class, and the likely reasons', words[11] == '' and 'it is night' in words[12], words)
 check('pictures without moments have DGP', words[13] == 'DGP', words)
+check('another class counts only where both intervals lie in one class each', words[14:16] == ['lower', 'lower'], words)
+check('no class before an interval lies in two neighbouring ones', words[16:18] == ['looking …'] * 2, words)
+check('nor in the head of the page', words[18] == 'looking …; ; false', words)
+check('a small picture says it first', words[19] == '○ imperceptible; DGPf .300 (.299 to .301); true', words)
+check('numbers of an earlier model say nothing of this one', words[20] == 'looking …; ; false', words)
+check('those of a small picture do', words[21] == '◔ perceptible; DGPf .352 (.351 to .353); true', words)
+check('until the large one has its own', words[22] == '◔ perceptible; DGPf .352 (.351 to .353); false', words)
+check('an interval that is too wide is shown without a class',
+      words[23] == 'looking …; DGPf .360 (.300 to .420); true', words)
+check('DGP is told as a share of people, with the class that the standard gives it',
+      '30 of 100' in words[24] and 'below 35 of 100 imperceptible' in words[24], words[24])
+verdicts = open(os.path.join(os.environ['TOP'], 'tests/golden/verdicts.tsv'))
+told = [line.rstrip('\n').split('\t') for line in verdicts if not line.startswith('#')]
+said = page.chrome.execute_async_script('''
+    const [rows, done] = arguments;
+    import('/judge.js').then(({ verdict }) => done(rows.map(([value, low, high]) => {
+        const { text, told } = verdict('DGP', { DGP: Number(value), 'DGP.lo': Number(low), 'DGP.hi': Number(high) });
+        return [text === 'looking …' ? '-' : text.slice(2), told];
+    })));''', told)
+check('the words are those of the report', said == [row[3:] for row in told], said)
 check('illuminance is higher or lower', 'lower' in rows[1] and 'higher' in rows[0], rows)
+drawn = lambda: page.js('document.querySelector("#plots svg").textContent')
+meant = lambda row: page.js(f'document.querySelectorAll("#table tbody tr")[{row}].title')
+check('metrics have their meaning and unit', 'glare probability' in meant(1) and page.rows('#table')[0][4] == 'lx',
+      (meant(1), page.rows('#table')))
+check('and plots have axes in words', 'frames' in drawn() and 'lx' in drawn(), drawn())
 check('earlier edits are ghosts in the plots', len(page.find('#plots figure:first-child path.ghost')) == 3)
 check('the stop is marked', len(page.find('#plots figure:first-child line.stop')) == 1)
+
+# round numbers of scales
+scales = page.chrome.execute_async_script('''
+    const done = arguments[arguments.length - 1];
+    import('/scale.js').then(({ round_steps }) => done([round_steps(9, 9070, true, 9), round_steps(20, 110, true),
+        round_steps(0, 330, false), round_steps(5, 5, false)]));''')
+check('scales have round numbers', scales == [
+    [10, 20, 50, 100, 200, 500, 1000, 2000, 5000][:9], [20, 50, 100], [0, 100, 200, 300], []], scales)
 
 # what lies outside of a plot's axes is not drawn, and a name is text in the file as well
 spikes = page.chrome.execute_async_script('''

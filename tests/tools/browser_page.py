@@ -102,7 +102,9 @@ class Page:
             c.querySelector('input')?.value ?? c.innerText))""", css)
 
     def menu(self, name):
-        """Opens a menu of the bar above the picture."""
+        """Opens a menu of the bar above the picture; another one, which may cover it, is closed."""
+        for other in self.find('.menu[open] > summary'):
+            if other.text != name: other.click()
         if name not in [s.text for s in self.find('.menu[open] > summary')]: self.click('.menu > summary', name)
 
     def pixel_to_canvas(self, x, y, width, height):

@@ -21,7 +21,7 @@ side, SECONDS = int(sys.argv[2]), 300
 size = (side, side)
 text = page.text
 rows = lambda: page.rows('#edits')
-values = lambda: {name: v for name, *v in page.rows('#table')}
+values = lambda: {name: v for name, *v, unit in page.rows('#table')}
 done = []
 
 
@@ -68,7 +68,7 @@ class Task:
 
 def difference(words):
     """The newest row of the table of edits is that one, with a difference of DGPf and its interval."""
-    found = lambda: rows() and words in rows()[0][0] and re.search(r'\(.* to .*\)', rows()[0][3])
+    found = lambda: rows() and words in rows()[0][0] and re.search(r'\(.* to .*\)', rows()[0][2])
     check(f'"{words}" has a difference', soon(found, SECONDS), rows()[:2])
 
 

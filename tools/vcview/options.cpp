@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <filesystem>
 
 #include "base/error.h"
 #include "base/options.h"
@@ -19,6 +20,14 @@ void add_regions(const std::string& named, Options& o) {
     const auto at = std::find(o.command.begin(), o.command.end(), "-regions");
     if (!named.empty() || at == o.command.end() || at + 1 == o.command.end()) return;
     if (!base::ends_with(at[1], ".exr")) o.files.emplace_back(at[1], TextFile::Kind::regions, false);
+}
+
+// The folder of the scene's first file, or the scene where it is a folder.
+std::string name_of(const std::vector<std::string>& scene) {
+    if (scene.empty()) return "";
+    std::error_code wrong;
+    const std::filesystem::path first = std::filesystem::weakly_canonical(scene[0], wrong);
+    return (std::filesystem::is_directory(first, wrong) ? first : first.parent_path()).filename().string();
 }
 
 }  // namespace
@@ -72,5 +81,6 @@ std::optional<Options> parse_options(int argc, char** argv) {
     o.server.sources = live::sources_command(o.command);
     o.server.plan.measure = live::plan_command(o.command, points);
     o.server.report = live::report_command(o.command, scene);
+    o.server.name = name_of(scene);
     return o;
 }

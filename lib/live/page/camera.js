@@ -52,7 +52,18 @@ export class Camera {
           `delete view ${name}`));
       return item;
     });
+    this.places = places;
+    this.options = views[views.length - 1];
     this.read_out();
+  }
+
+  // The name of the view, or which way it looks.
+  called() {
+    const now = this.now(), named = this.places?.find(([, view]) => view === this.options);
+    if (named || !now) return named?.[0] ?? '';
+    if (Math.abs(now.vd[2]) > .9) return now.vd[2] > 0 ? 'looking up' : 'looking down';
+    const way = Math.round(Math.atan2(now.vd[0], now.vd[1]) / degree / 45 + 8) % 8;
+    return `looking ${['north', 'north-east', 'east', 'south-east', 'south', 'south-west', 'west', 'north-west'][way]}`;
   }
 
   // Degrees: from north over east, and up.

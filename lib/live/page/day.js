@@ -1,9 +1,10 @@
 // Glare over the hours of the date, as vcview has it rendered in idle time: a column an hour, with its class as colour
 // and sign; a dashed one where the interval holds two classes.  A click goes to that hour.
+import { limits, verdict } from '/judge.js';
 import { keep, one_stop } from '/table.js';
-import { verdict } from '/verdict.js';
 
 const $ = (id) => document.getElementById(id);
+const height_of = (dgp) => Math.max(.05, Math.min(1, (dgp - .15) / .4));
 
 export class Day {
   constructor(sliders) { Object.assign(this, { sliders, known: '' }); }
@@ -14,23 +15,33 @@ export class Day {
     if (key === this.known) return;
     this.known = key;
     this.file = day?.file;
-    keep($('day'), day?.hours ?? [], ([hour]) => hour, ([hour]) => {
-      const column = Object.assign(document.createElement('button'), { type: 'button' });
-      column.dataset.hour = hour;
-      column.append(' ', document.createElement('span'), String(hour));
-      column.addEventListener('click', () => this.sliders.go_to(this.file, hour));
-      return column;
-    }, (column, [hour, value, low, high]) => {
-      const { text, kind, number } = verdict('DGPf', { DGPf: value, 'DGPf.lo': low, 'DGPf.hi': high });
-      column.title = `${hour}:00 ${text.slice(2)}, ${number}`;
-      column.className = `${kind} ${text.includes(' to ') ? 'open' : ''}`;
-      column.style.setProperty('--high', Math.max(.05, Math.min(1, (value - .15) / .4)));
-      column.setAttribute('aria-label', column.title);
-      column.setAttribute('aria-current', String(now === hour));
-      column.firstChild.data = text[0];
-    });
+    keep(
+      $('day'), day?.hours ?? [], ([hour]) => hour,
+      ([hour]) => {
+        const column = Object.assign(document.createElement('button'), { type: 'button' });
+        column.dataset.hour = hour;
+        column.append(' ', document.createElement('i'), document.createElement('span'), String(hour));
+        column.addEventListener('click', () => this.sliders.go_to(this.file, hour));
+        return column;
+      },
+      (column, [hour, value, low, high]) => {
+        const { text, kind, number } = verdict('DGPf', { DGPf: value, 'DGPf.lo': low, 'DGPf.hi': high });
+        column.title = `${hour}:00 ${text.replace(/^[^a-z]+/, '')}, ${number}`;
+        column.className = `${kind} ${text.includes(' to ') || kind === 'looking' ? 'open' : ''}`;
+        column.style.setProperty('--high', height_of(value));
+        column.setAttribute('aria-label', column.title);
+        column.setAttribute('aria-current', String(now === hour));
+        column.firstChild.data = text[0] ?? '';
+        column.querySelector('i').textContent = value.toFixed(2).replace(/^0/, '');
+      });
     one_stop($('day'), $('day').children);
+    $('day').style.setProperty('--limit', height_of(limits[0]));
     const none = 'the hours of the day come when the picture has 32 frames';
-    $('day-say').textContent = !day ? '' : day.hours.length ? `DGPf by the hour${day.ended ? '' : ' …'}` : none;
+    $('day-say').textContent = !day ?
+      '' :
+      day.hours.length ?
+      `DGPf by the hour; the line is ${limits[0].toFixed(2).replace(/^0/, '')}, from which glare is perceptible${
+        day.ended ? '' : ' …'}` :
+      none;
   }
 }

@@ -1,27 +1,21 @@
-// Before and after: the lines of each edit, and a table of edits with their metrics and the difference to the edit before,
-// as the columns NAME.d NAME.d.lo NAME.d.hi of vcmetrics have it.
+// Before and after: the lines of each edit, and a table of edits with their metrics and the difference to the edit
+// before, as the columns NAME.d NAME.d.lo NAME.d.hi of vcmetrics have it.
+import { judged } from '/judge.js';
 import { alike, short } from '/picture.js';
-import { class_of } from '/verdict.js';
 
 const $ = (id) => document.getElementById(id);
-// { text, kind } of a difference with its interval.  Better and worse are words for DGP alone: for another class, or for all
-// of the interval beyond a threshold; a view is another place, not a better one.
-export function judged(name, row, what, threshold) {
-  const [low, high] = [row[`${name}.d.lo`], row[`${name}.d.hi`]];
-  if (!Number.isFinite(low) || !Number.isFinite(high)) return { text: '', kind: '' };
-  if (low <= 0 && high >= 0) return { text: 'not told apart yet', kind: 'open' };
-  const less = high < 0, classes = [row[name] - row[`${name}.d`], row[name]].map(class_of);
-  if (/^DGP[uf]?$/.test(name) && !/^(view|size)/.test(what) && (classes[0] !== classes[1] || (less ? high < -threshold : low > threshold)))
-    return less ? { text: 'better', kind: 'good' } : { text: 'worse', kind: 'bad' };
-  return { text: less ? 'lower' : 'higher', kind: 'other' };
-}
-
 const signed = (v, text) => (v > 0 ? '+' : v < 0 ? '−' : '') + text;
 
 export class Edits {
   // on_change: called when the threshold is another one.
   constructor(on_change) {
     this.what = new Map();
+    this.all = false;  // metrics; else the glare alone
+    $('edits-more').addEventListener('click', () => {
+      this.all = !this.all;
+      $('edits-more').setAttribute('aria-pressed', String(this.all));
+      on_change();
+    });
     $('threshold').addEventListener('change', on_change);
   }
 
@@ -34,18 +28,27 @@ export class Edits {
     this.what = new Map(edits);
     this.earlier = earlier;
     this.variants = new Map(variants.map((v) => [v.edit, v.name]));
-    this.base = base;
+    Object.assign(this, { base, against, of_base: variants.find((v) => v.name === base)?.edit });
   }
 
   name(edit) {
     if (edit === undefined) return 'now';
-    if (this.variants?.has(edit)) return `${this.variants.get(edit)}${this.variants.get(edit) === this.base ? ' (base)' : ''}`;
+    if (this.variants?.has(edit))
+      return `${this.variants.get(edit)}${this.variants.get(edit) === this.base ? ' (base)' : ''}`;
     const words = this.what.get(edit) ?? `edit ${edit}`, [, what, said] = /^(overlay|scene)\b *(.*)$/.exec(words) ?? [];
     return what ? said || (what === 'scene' ? 'file saved' : 'model') : words;
   }
 
-  // runs: of Lines, the newest last; names: metrics.
-  fill(runs, names) {
+  // The newest row of what an edit is compared with, if it is known.
+  before(runs, edit) {
+    const first = runs.reduce((least, r) => Math.min(least, r.edit), edit);
+    const other = this.base ? this.of_base : this.against === 'first' ? first : edit - 1;
+    return runs.find((r) => r.edit === other)?.rows.at(-1);
+  }
+
+  // runs: of Lines, the newest last; names: metrics; glare: the one of them that is always shown.
+  fill(runs, names, glare) {
+    if (!this.all && names.includes(glare)) names = [glare];
     const many = runs.length > 1 || this.earlier?.length;
     $('edits-panel').hidden = !many;
     if (!many) return;
@@ -65,15 +68,23 @@ export class Edits {
     row('th', ['edit', 'frames', ...names], table.tHead);
     for (const run of [...runs].reverse()) {
       const last = run.rows[run.rows.length - 1];
-      row('td', [this.name(run.edit), String(last.frame), ...names.map((n) => this.cell(n, last, this.what.get(run.edit) ?? ''))], table.tBodies[0]);
+      row(
+        'td',
+        [
+          this.name(run.edit), String(last.frame),
+          ...names.map((n) => this.cell(n, last, this.before(runs, run.edit), this.what.get(run.edit) ?? ''))
+        ],
+        table.tBodies[0]);
     }
-    for (const words of [...this.earlier ?? []].reverse()) row('td', [words, '–', ...names.map(() => '–')], table.tBodies[0]);
+    for (const words of [...this.earlier ?? []].reverse())
+      row('td', [words, '–', ...names.map(() => '–')], table.tBodies[0]);
   }
 
-  cell(name, row, what) {
+  cell(name, row, before, what) {
     const value = Number.isFinite(row[name]) ? short(row[name]) : '–', d = row[`${name}.d`];
     if (!Number.isFinite(d)) return value;
-    const low = row[`${name}.d.lo`], high = row[`${name}.d.hi`], { text, kind } = judged(name, row, what, Number($('threshold').value));
+    const low = row[`${name}.d.lo`], high = row[`${name}.d.hi`],
+          { text, kind } = judged(name, row, before, what, Number($('threshold').value));
     const [by, from, to] = [d, low, high].map((v, k, all) => signed(v, alike(all.map(Math.abs), low, high)[k]));
     const change = document.createElement('span'), word = document.createElement('strong');
     change.className = 'change';

@@ -2,6 +2,7 @@
 import { Camera } from '/camera.js';
 import { Day } from '/day.js';
 import { Edits } from '/edits.js';
+import { glare_of, verdict } from '/judge.js';
 import { show_messages } from '/messages.js';
 import { ask, command, Lost, post, tag_of, unpack } from '/net.js';
 import { PictureView } from '/picture.js';
@@ -16,24 +17,25 @@ import { Sliders } from '/sliders.js';
 import { Sources } from '/sources.js';
 import { Tones } from '/tones.js';
 import { Variants } from '/variants.js';
-import { glare_of, show_verdict, verdict } from '/verdict.js';
+import { show_verdict } from '/verdict.js';
 import { Eye } from '/view.js';
 
 const $ = (id) => document.getElementById(id);
 
 const view = new PictureView($('canvas')), tones = new Tones(view), lines = new Lines(), chosen = new Set(), known = new Set();
-let news = { picture: 0, line: 0, files: 0, design: 0 }, shown = null, ended, lost = false, refused = false, paused = false, steps = 0, came;
+let design = {};  // of the newest state: first, waits
+let news = { picture: 0, line: 0, files: 0, design: 0 }, shown = null, ended, lost = false, refused = false, paused = false, steps = 0, came, scene = '';
 
 const regions = new Regions(view, () => shown?.eye ? shown : null);
 const edits = new Edits(draw_edits), sliders = new Sliders();
 const camera = new Camera(() => shown, () => regions.pivot());
-const variants = new Variants((text) => camera.say(text), (rgb) => tones.compare_with(rgb), (edit) => {
+const variants = new Variants((text) => camera.say(text), (rgb, name) => tones.compare_with(rgb, name), (edit) => {
   const rows = lines.runs.find((r) => r.edit === edit)?.rows, last = rows?.[rows.length - 1];
   return rows && verdict(glare_of(lines.columns, last), last).number;
 });
 const day = new Day(sliders), plan = new Plan();
 const pointed = new Pointed(() => shown, sliders);
-const sources = new Sources(view, (x, y) => pointed.words(x, y, true));
+const sources = new Sources(view, (x, y) => pointed.called(x, y));
 const probe = new Probe([(x, y) => regions.at(x, y).map((name) => `in ${name}`).join(', '), (x, y) => sources.at(x, y)], (x, y) => pointed.words(x, y));
 
 function draw_numbers() {
@@ -44,7 +46,7 @@ function draw_numbers() {
   fill_table($('table').tBodies[0], lines, chosen, (name) => {
     if (!chosen.delete(name)) chosen.add(name);
     draw_numbers();
-  });
+  }, (name) => regions.of_elsewhere(name));
   $('plots').replaceChildren(...[...chosen].filter((name) => lines.columns.includes(name)).map((name) => {
     const figure = document.createElement('figure'), caption = document.createElement('figcaption');
     caption.textContent = name;
@@ -55,13 +57,23 @@ function draw_numbers() {
   document.body.dataset.lines = lines.text.length;
 }
 
-function draw_edits() { edits.fill(lines.runs, [...chosen].filter((name) => lines.columns.includes(name))); }
+function draw_edits() {
+  edits.fill(lines.runs, [...chosen].filter((name) => lines.columns.includes(name)), glare_of(lines.columns, lines.rows.at(-1)));
+}
+
+// The scene, its hour and the view, in the head and in the tab.
+function say_where() {
+  const where = [scene, sliders.when(), shown?.name, camera.called()].filter(Boolean).join(', ');
+  if ($('where').textContent !== where) $('where').textContent = where || 'luxpipe';
+  document.title = where ? `${where} – luxpipe` : 'luxpipe';
+}
 
 // lost, ended, paused: of the programs; the picture's facts beside them.
 function say_status() {
   const since = came === undefined ? undefined : (performance.now() - came) / 1000;
-  show_verdict(lines, { lost, refused, ended, paused, what: shown?.what, since });
-  const parts = shown ? [`${shown.width} × ${shown.height}`, shown.frames === undefined ? '' : `${shown.frames} frames`, shown.name] : [];
+  show_verdict(lines, { lost, refused, ended, paused, what: shown?.what, since, ...design });
+  say_where();
+  const parts = shown ? [`${shown.width} × ${shown.height}`, shown.frames === undefined ? '' : `${shown.frames} frames`] : [];
   $('status').textContent = parts.filter(Boolean).join(', ');
 }
 setInterval(say_status, 5000);
@@ -71,6 +83,8 @@ setInterval(say_status, 5000);
 // State that vcview holds for all windows.
 async function take_state(state) {
   paused = state.paused;
+  design = { first: state.first, waits: state.waits, rests: state.rests };
+  $('go').hidden = !state.rests;
   edits.take(state.edits, state.earlier, state.variants, state.base, state.against);
   lines.keeps = new Set(state.variants.map((v) => v.edit));
   variants.take(state.variants, state.base, state.before);
@@ -100,7 +114,7 @@ async function take(answer) {
     came = performance.now();
     await tones.show(shown);
     if (!document.body.dataset.picture) performance.mark('picture');
-    if (!same) regions.fetch_outlines();
+    if (!same) { sources.forget(); regions.fetch_outlines(); regions.mark_rows(); }
     camera.painted(facts.edit, facts.what);
     if (facts.what !== 'preview') sources.show(news.picture);
     document.body.dataset.picture = news.picture;
@@ -120,6 +134,8 @@ async function begin() {
   const facts = await (await ask('/facts')).json();
   $('command').hidden = $('views').hidden = !facts.control;
   if (facts.control) camera.show();
+  scene = facts.scene;
+  if (facts.control && facts.files.some((f) => !f.regions)) $('probe').textContent = 'Click a thing to change it; point at it for values.';
   await Promise.all(facts.files.map((f, n) => (f.regions ? regions : sliders).use(n, f)));
   return true;
 }
@@ -159,6 +175,7 @@ const take_back = (what) => {
   }).catch((e) => sliders.say(e.message));
 };
 for (const what of ['undo', 'redo']) $(what).addEventListener('click', () => take_back(what));
+$('go').addEventListener('click', () => command('go').then((wrong) => camera.say(wrong)));
 $('again').addEventListener('click', () => post('/start').then((wrong) => camera.say(wrong)));
 $('fit').addEventListener('click', () => view.fit());
 $('canvas').addEventListener('pointerdown', () => document.querySelectorAll('.menu[open]').forEach((m) => { m.open = false; }));
@@ -176,7 +193,7 @@ const keys = {
   'f': () => view.fit(), '+': () => view.zoomBy(1.5), '=': () => view.zoomBy(1.5), '-': () => view.zoomBy(1 / 1.5),
   'ArrowLeft': () => view.moveBy(40, 0), 'ArrowRight': () => view.moveBy(-40, 0),
   'ArrowUp': () => view.moveBy(0, 40), 'ArrowDown': () => view.moveBy(0, -40),
-  't': () => tones.next_of($('tone')), 'c': () => tones.next_of($('compare')), 'k': () => variants.keep(),
+  't': () => tones.next_of($('tone')), 'l': () => tones.luminance(), 'c': () => tones.next_of($('compare')), 'k': () => variants.keep(),
   '[': () => tones.brighter(-.25), ']': () => tones.brighter(.25),
 };
 // Whoever types, or has chosen a row or a number, means that.

@@ -91,7 +91,10 @@ export class Plan {
       while (this.drawn.number < this.state.number && $('plan-panel').open) {
         const answer = await ask(`/plan?picture=${this.state.number}`);
         if (answer.status === 200) this.draw(await answer.json());
-        else if (!answer.ok) { this.wrong = this.state.waits ? '' : (await answer.text()).trim(); break; }
+        else if (!answer.ok) {
+          this.wrong = this.state.waits ? '' : (await answer.text()).trim();
+          break;
+        }
       }
     } catch (e) {
       if (!(e instanceof Lost)) throw e;
@@ -104,11 +107,15 @@ export class Plan {
 
   say() {
     const { number, edit, waits, ended } = this.state, { frame, edit: shown } = this.drawn.numbers ?? {};
-    const old = this.drawn.numbers && (waits || shown < edit);
-    $('plan').classList.toggle('old', Boolean(old));
-    $('plan-say').textContent = this.wrong || [ended ? 'the renderer of the points has ended' : '',
-      this.drawn.numbers ? `${frame} frames${old ? ', from before the last change' : ''}` :
-        ended || number ? '' : 'the plan comes when the picture has 4 frames'].filter(Boolean).join('; ');
+    const old = this.drawn.numbers && (waits || shown < edit), rough = !(frame >= 2);  // no interval yet
+    $('plan').classList.toggle('old', Boolean(old || rough));
+    $('plan-say').textContent = this.wrong || [
+      ended ? 'the renderer of the points has ended' : '',
+      this.drawn.numbers ? rough && !old ? 'looking … (a first rough map)' :
+                                           `${frame} frames${old ? ', from before the last change' : ''}` :
+        ended || number ? '' :
+                          'the plan comes when the picture has 4 frames'
+    ].filter(Boolean).join('; ');
   }
 
   // Its words, and where it lies in both maps.
@@ -132,8 +139,9 @@ export class Plan {
     const names = Object.keys(drawn.numbers).filter((name) => /\./.test(name) && !/\.(lo|hi)$/.test(name));
     const grids = [...new Set(names.map((name) => name.slice(0, name.lastIndexOf('.'))))];
     const columns = ['mean', 'min', 'median', 'U0', `share${drawn.limit}`];
-    ['grid', ...columns.slice(0, 4), `≥ ${drawn.limit} lx`].forEach(
-      (text, k) => { $('plan-numbers').tHead.rows[0].cells[k].textContent = text; });
+    ['grid', ...columns.slice(0, 4), `≥ ${drawn.limit} lx`].forEach((text, k) => {
+      $('plan-numbers').tHead.rows[0].cells[k].textContent = text;
+    });
     keep($('plan-numbers').tBodies[0], grids, (grid) => grid, () => row_of(6), (row, grid) => {
       row.cells[0].textContent = grid;
       columns.forEach((column, k) => {

@@ -1,8 +1,16 @@
 // The lines of vcmetrics: read, shown as a table, drawn as SVG over the number of frames with their intervals.
+import { limits } from '/judge.js';
+import { meaning } from '/metrics.js';
 import { alike } from '/picture.js';
+import { round_steps } from '/scale.js';
 import { keep, one_stop, row_of } from '/table.js';
 
-const classes = { DGP: [.35, .40, .45], DGPu: [.35, .40, .45], DGPf: [.35, .40, .45], UGR: [13, 16, 19, 22, 25, 28] };
+const classes = {
+  DGP: limits,
+  DGPu: limits,
+  DGPf: limits,
+  UGR: [13, 16, 19, 22, 25, 28]
+};
 // Effect of pixels on a metric: evalglare's (DGP, DGPu) lack it, DGPf has it.
 const of_pixels = (name, row) =>
   name.endsWith('f') ? -row[`${name.slice(0, -1)}.px`] : row[`${name.replace(/u$/, '')}.px`];
@@ -13,17 +21,28 @@ const no_metric = new Set(['frame', 'seconds', 'tails', 'errors', 'view', 'sky',
 // begins a new table, a smaller number of frames or another edit a new run.
 export class Lines {
   // keeps: numbers of edits whose lines stay.
-  constructor() { this.keeps = new Set(); this.text = []; this.runs = []; this.columns = []; this.seen = new Set(); }
+  constructor() {
+    this.keeps = new Set();
+    this.text = [];
+    this.runs = [];
+    this.columns = [];
+    this.seen = new Set();
+  }
 
   get rows() { return this.runs[this.runs.length - 1]?.rows ?? []; }
 
   add(line) {
     this.text.push(line);
     if (line.startsWith('{')) {
-      try { return this.take(Object.entries(JSON.parse(line))); } catch { return; }
+      try {
+        return this.take(Object.entries(JSON.parse(line)));
+      } catch {
+        return;
+      }
     }
     const cells = line.split(line.includes('\t') ? '\t' : ',');
-    if (cells.some((c) => /^[A-Za-z_]/.test(c) && !/^(nan|inf)$/i.test(c)) &&
+    if (
+      cells.some((c) => /^[A-Za-z_]/.test(c) && !/^(nan|inf)$/i.test(c)) &&
       (cells.includes('frame') || !this.columns.length)) {
       this.columns = cells;
       return;
@@ -36,7 +55,8 @@ export class Lines {
     for (const [name, value] of entries)
       row[name] = value === null || value === '-' || value === '' ? NaN : Number(value);
     if (!this.columns.length) this.columns = Object.keys(row);
-    for (const name in row) if (Number.isFinite(row[name])) this.seen.add(name);
+    for (const name in row)
+      if (Number.isFinite(row[name])) this.seen.add(name);
     const run = this.runs[this.runs.length - 1], last = run?.rows[run.rows.length - 1];
     if (!run || row.edit !== run.edit || row.frame < last.frame) this.runs.push({ edit: row.edit, rows: [row] });
     else if (row.frame === last.frame) run.rows[run.rows.length - 1] = row;  // measured anew: a region has changed
@@ -58,26 +78,26 @@ export function element(name, attributes, text) {
   return e;
 }
 
-// "1, 2, 5" steps of an axis between two values.
-function steps(low, high) {
-  const power = 10 ** Math.floor(Math.log10((high - low) / 3 || 1)), each = [1, 2, 5, 10].map((m) => m * power)
-    .find((s) => (high - low) / s <= 4.5) ?? 10 * power;
-  const all = [];
-  for (let v = Math.ceil(low / each) * each; v <= high + each * 1e-9; v += each) all.push(v);
-  return all;
-}
-
 const points_of = (name, rows) => {
-  const point = (r) => ({ x: Math.max(r.frame, .5), y: r[name], lo: r[`${name}.lo`], hi: r[`${name}.hi`],
-    px: r[name] + of_pixels(name, r), settled: r.settled });
+  const point = (r) => ({
+    x: Math.max(r.frame, .5),
+    y: r[name],
+    lo: r[`${name}.lo`],
+    hi: r[`${name}.hi`],
+    px: r[name] + of_pixels(name, r),
+    settled: r.settled
+  });
   return rows.map(point).filter((p) => Number.isFinite(p.x) && Number.isFinite(p.y));
 };
 
 // runs: those of Lines; the newest one with its interval, the others as ghosts.
 export function plot(name, runs) {
-  const width = 420, height = 120, left = 58, right = 8, top = 8, bottom = 20;
-  const svg =
-    element('svg', { viewBox: `0 0 ${width} ${height}`, role: 'img', 'aria-label': `${name} by number of frames` });
+  const width = 420, height = 132, left = 58, right = 8, top = 8, bottom = 32;
+  const svg = element('svg', {
+    viewBox: `0 0 ${width} ${height}`,
+    role: 'img',
+    'aria-label': `${[name, meaning(name)[1]].filter(Boolean).join(' in ')} by number of frames`
+  });
   const points = points_of(name, runs[runs.length - 1]?.rows ?? []),
         ghosts = runs.slice(0, -1).map((r) => points_of(name, r.rows));
   if (!points.length) return svg;
@@ -87,7 +107,10 @@ export function plot(name, runs) {
   const cut = points.length > 8 ? Math.floor(ys.length / 20) : 0;
   const ends = ghosts.filter((g) => g.length).map((g) => g[g.length - 1].y);
   let low = Math.min(ys[cut], ...ends), high = Math.max(ys[ys.length - 1 - cut], ...ends);
-  if (low === high) { low -= Math.abs(low) * .01 || 1; high += Math.abs(high) * .01 || 1; }
+  if (low === high) {
+    low -= Math.abs(low) * .01 || 1;
+    high += Math.abs(high) * .01 || 1;
+  }
   const pad = .08 * (high - low);
   low -= pad;
   high += pad;
@@ -115,31 +138,43 @@ export function plot(name, runs) {
   if (stop) area.append(element('line', { class: 'stop', x1: x(stop.x), x2: x(stop.x), y1: top, y2: height - bottom }));
   area.append(element('path', { class: 'curve', d: 'M' + line(points, 'y') }));
   svg.append(area, element('path', { class: 'axis', d: `M${left},${top}V${height - bottom}H${width - right}` }));
-  for (const v of steps(low, high))
+  for (const v of round_steps(low, high, false, 4.5))
     svg.append(element('text', { x: left - 4, y: y(v) + 4, 'text-anchor': 'end' }, String(Number(v.toPrecision(5)))));
   for (let v = 1; v <= last; v *= 10)
-    if (v >= first) svg.append(element('text', { x: x(v), y: height - 6, 'text-anchor': 'middle' }, String(v)));
+    if (v >= first) svg.append(element('text', { x: x(v), y: height - 18, 'text-anchor': 'middle' }, String(v)));
+  svg.append(element('text', { x: width - right, y: height - 4, 'text-anchor': 'end' }, 'frames (logarithmic)'));
+  svg.append(element('text', { x: left + 5, y: top + 10 }, meaning(name)[1]));
   return svg;
 }
 
-// The latest values, a row a metric; chosen: names whose curves are drawn; on_choice: called with a name.
-export function fill_table(body, lines, chosen, on_choice) {
+// The latest values, a row a metric; chosen: names whose curves are drawn; on_choice: called with a name;
+// elsewhere(name): is it of a region that was drawn in another view?
+export function fill_table(body, lines, chosen, on_choice, elsewhere) {
   const last = lines.rows[lines.rows.length - 1];
   if (!last) return;
-  keep(body, lines.metrics(), (name) => name, (name) => {
-    const row = row_of(4);
-    row.addEventListener('click', () => on_choice(name));
-    row.addEventListener('keydown', (e) => {
-      if (e.key === 'Enter' || e.key === ' ') {
-        e.preventDefault();
-        on_choice(name);
-      }
+  keep(
+    body, lines.metrics(), (name) => name,
+    (name) => {
+      const row = row_of(5);
+      row.addEventListener('click', () => on_choice(name));
+      row.addEventListener('keydown', (e) => {
+        if (e.key === 'Enter' || e.key === ' ') {
+          e.preventDefault();
+          on_choice(name);
+        }
+      });
+      return row;
+    },
+    (row, name) => {
+      const ends = [last[`${name}.lo`], last[`${name}.hi`]];
+      row.setAttribute('aria-selected', String(chosen.has(name)));
+      const [words, unit] = meaning(name);
+      row.title = elsewhere(name) ? `${words}: drawn in another view` : words;
+      row.classList.toggle('elsewhere', elsewhere(name));
+      row.setAttribute('aria-label', `${name}: ${words}`);
+      [name, ...alike([last[name], ...ends], ...ends), unit].forEach((text, k) => {
+        row.cells[k].textContent = text;
+      });
     });
-    return row;
-  }, (row, name) => {
-    const ends = [last[`${name}.lo`], last[`${name}.hi`]];
-    row.setAttribute('aria-selected', String(chosen.has(name)));
-    [name, ...alike([last[name], ...ends], ...ends)].forEach((text, k) => { row.cells[k].textContent = text; });
-  });
   one_stop(body, body.rows);
 }

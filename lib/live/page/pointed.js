@@ -18,6 +18,17 @@ const make = (tag, facts, ...inside) => {
   return e;
 };
 
+// A pane, and frames beside it, are a window; else the sun, the sky, a lamp, or a surface by its material.
+const glazing = /^(glass|trans|trans2|dielectric|interface|BSDF|aBSDF|BRTDfunc)$/;
+function word_of(all, end) {
+  const name = `${end.name} ${end.material}`;
+  if (all.some((s) => glazing.test(s.kind)) || /window|glaz|pane|rooflight|skylight/i.test(name)) return 'window';
+  if (end.type === 'source' && (/sun|solar/i.test(name) || end.kind === 'light')) return 'sun';
+  if (end.type === 'source') return /ground/i.test(end.name) ? 'ground' : 'sky';
+  if (/^(light|glow|illum|spotlight)$/.test(end.kind)) return 'lamp';
+  return end.material.replace(/_/g, ' ');
+}
+
 export class Pointed {
   // picture(): { edit, width, height, eye } or null.
   constructor(picture, sliders) {
@@ -44,13 +55,18 @@ export class Pointed {
     return known.get(key);
   }
 
-  // For the line below the picture and the table of sources.
-  async words(x, y, last = false) {
+  // For the line below the picture.
+  async words(x, y) {
     const all = seen_of(await this.at(x, y) ?? []), end = all[all.length - 1];
     if (!end) return '';
-    if (last) return end.name;
     return `${end.name} (${end.material}, ${end.place})${
       all.length > 1 ? ` behind ${all.slice(0, -1).map((s) => s.name).join(', ')}` : ''}`;
+  }
+
+  // What a person calls it, { word, name }; null: not known.
+  async called(x, y) {
+    const all = seen_of(await this.at(x, y) ?? []), end = all[all.length - 1];
+    return end ? { word: word_of(all, end), name: end.name } : null;
   }
 
   // ---- what can be changed there

@@ -3,7 +3,7 @@
 import { ask } from '/net.js';
 import { dot_at, inside, label, outline, top_of } from '/overlay.js';
 import { tell } from '/messages.js';
-import { add, free_name, regions_of, remove, replace, set_region } from '/region_file.js';
+import { add, free_name, is_elsewhere, regions_of, remove, replace, seen_from, set_region } from '/region_file.js';
 import { fill, keep, row_of } from '/table.js';
 import { dragged, handles, parse_shape, shape_text, sketch } from '/shapes.js';
 import { TextFile } from '/text_file.js';
@@ -134,9 +134,26 @@ export class Regions {
       const o = this.outlines.get(row.dataset.region);
       row.setAttribute('aria-selected', String(row.dataset.region === this.selected));
       row.querySelector('.swatch').style.background = o?.css ?? 'transparent';
-      row.title = o?.trouble ?? (o && !o.rings.length ? 'out of sight' : '');
+      const elsewhere = this.elsewhere(row.dataset.region);
+      row.title = o?.trouble ?? (o && !o.rings.length ? 'out of sight' : elsewhere ? 'drawn from another place or view' : '');
       row.classList.toggle('trouble', Boolean(o?.trouble));
+      row.classList.toggle('elsewhere', elsewhere);
     }
+    const all = this.entries.map((r) => r.name).filter((name) => this.elsewhere(name)), several = all.length > 1;
+    $('regions-elsewhere').textContent = all.length ? `${all.join(', ')} ${several ? 'are parts' : 'is a part'} of the picture, drawn in another view: `
+      + `${several ? 'their' : 'its'} numbers are of what is there now. Move ${several ? 'them' : 'it'}, or go back to that view.` : '';
+  }
+
+  // Was it drawn in another view?
+  elsewhere(name) {
+    const region = this.entries.find((r) => r.name === name), eye = this.picture()?.eye;
+    return Boolean(region && eye) && is_elsewhere(region, this.entries, eye);
+  }
+
+  // A column of vcmetrics is of such a region: low/high.CR.
+  of_elsewhere(column) {
+    const dot = column.lastIndexOf('.');
+    return dot > 0 && column.slice(0, dot).split('/').some((name) => this.elsewhere(name));
   }
 
   select(name) {
@@ -189,13 +206,14 @@ export class Regions {
   // The selected region after its shape has changed.
   async change_shape(shape) {
     const region = this.entries.find((r) => r.name === this.selected);
-    const mine = replace(region, region.name, shape_text(shape), true), said = await this.put(replace(region, region.name, shape_text(shape)));
+    const seen = seen_from(shape, this.picture().eye), text = shape_text(shape);
+    const mine = replace(region, region.name, text, true, seen), said = await this.put(replace(region, region.name, text, false, seen));
     if (said !== 'conflict') { this.say(said); return this.show(); }
     await this.show();
     const theirs = this.entries.find((r) => r.name === region.name);
     this.say(theirs ? `${region.name} was changed in the file meanwhile (it is shown as there). Yours is: ${shape_text(shape)} `
       : `${region.name} was deleted in the file meanwhile. Yours is: ${shape_text(shape)} `,
-    ['Use mine', () => this.save(theirs ? mine : add(region.name, shape_text(shape)), region.name)],
+    ['Use mine', () => this.save(theirs ? mine : add(region.name, text, seen), region.name)],
     ['Keep the file’s', () => this.say('')]);
   }
 
@@ -218,8 +236,9 @@ export class Regions {
     this.say('');
     if (!shape) return this.view.draw();
     if (names.length > 1) this.begin(kind, names.slice(1));
-    if (names.length) return this.save(set_region(names[0], shape_text(shape)), names[0]);
-    const name = free_name(this.text), saved = this.save(add(name, shape_text(shape)), name);
+    const seen = seen_from(shape, this.picture().eye);
+    if (names.length) return this.save(set_region(names[0], shape_text(shape), seen), names[0]);
+    const name = free_name(this.text), saved = this.save(add(name, shape_text(shape), seen), name);
     this.fill_table();  // the user goes on and types its name
     const field = document.querySelector(`#regions .name[data-region="${name}"]`);
     field?.focus();

@@ -19,12 +19,12 @@ export function plots_svg() {
     '.ghost{stroke:#888;fill:none}' +
     '.interval{fill:#0b5cad33}.class{stroke:#777;stroke-dasharray:3 3}.stop{stroke:#0a7a3c}';
   const figures = [...document.querySelectorAll('#plots figure')];
-  const sheet = element('svg', { width: 420, height: 140 * figures.length });
+  const sheet = element('svg', { width: 420, height: 152 * figures.length });
   figures.forEach((f, k) => {
     const drawn = f.querySelector('svg').cloneNode(true);
-    const facts = { y: 140 * k + 16, width: 420, height: 120 };
+    const facts = { y: 152 * k + 16, width: 420, height: 132 };
     Object.entries(facts).forEach(([name, value]) => drawn.setAttribute(name, value));
-    sheet.append(element('text', { x: 4, y: 140 * k + 12 }, f.querySelector('figcaption').textContent), drawn);
+    sheet.append(element('text', { x: 4, y: 152 * k + 12 }, f.querySelector('figcaption').textContent), drawn);
   });
   return new XMLSerializer().serializeToString(sheet).replace('>', `><style>${rules}</style>`);
 }

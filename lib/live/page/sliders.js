@@ -1,7 +1,7 @@
 // The model: sliders for the day and hour of skies and for any number in the files of -edit.  Their values go to vcview as
 // a text that stands for the file; vcview holds it for all windows, each of which says what version it has changed.  The
 // file itself is written only by Save.
-import { date_of, numbers_in, range_of, skies_in, with_number, with_sky } from '/model_text.js';
+import { date_of, numbers_in, range_of, skies_in, things_in, with_number, with_sky } from '/model_text.js';
 import { tell } from '/messages.js';
 import { ask, command, tag_of, text_of } from '/net.js';
 import { fill, keep, one_stop } from '/table.js';
@@ -11,12 +11,14 @@ const $ = (id) => document.getElementById(id);
 const clock = (h) => `${Math.floor(h)}:${String(Math.round(h % 1 * 60)).padStart(2, '0')}`;
 const date = (day) => { const [m, d] = date_of(day); return `${d} ${new Date(2001, m - 1, 1).toLocaleString('en', { month: 'short' })}`; };
 
-// Words for what differs in two texts of a file: the day and hour of a sky, or a number before and after.
+// Words for what differs in two texts of a file: the day and hour of a sky, or a number before and after, and of what.
 function difference_of(before, after, name) {
   const sky = skies_in(after).find((s, k) => { const b = skies_in(before)[k]; return b && (b.day !== s.day || b.hour !== s.hour); });
   if (sky) return `${date(sky.day)} ${clock(sky.hour)}`;
-  const old = numbers_in(before), changed = numbers_in(after).findIndex((n, k) => old[k]?.value !== n.value);
-  return changed < 0 ? name : `${name}: ${old[changed]?.value ?? ''} → ${numbers_in(after)[changed].value}`;
+  const old = numbers_in(before), all = numbers_in(after), changed = all.findIndex((n, k) => old[k]?.value !== n.value);
+  if (changed < 0) return name;
+  const thing = things_in(after).find((t) => !t.command && t.start <= all[changed].start && all[changed].end <= t.end);
+  return `${thing?.name ?? name}: ${old[changed]?.value ?? ''} → ${all[changed].value}`;
 }
 
 export class Sliders {
@@ -176,6 +178,12 @@ export class Sliders {
     this.show_text();
     this.show_number();
     this.mark();
+  }
+
+  // Words for the first sky of all files.
+  when() {
+    const sky = this.files.flatMap((one) => skies_in(one.text))[0];
+    return sky ? `${date(sky.day)} ${clock(sky.hour)}` : '';
   }
 
   // The hour of a file's first sky, and another one in its place.

@@ -40,7 +40,7 @@ export class Variants {
     if (key === this.known) return;
     this.known = key;
     const answer = chosen && await ask(`/variant?name=${encodeURIComponent(chosen.name)}`);
-    if (this.known === key) this.other(answer?.ok ? (await unpack(answer)).rgb : null);
+    if (this.known === key) this.other(answer?.ok ? (await unpack(answer)).rgb : null, chosen?.name);
   }
 
   fill() {
