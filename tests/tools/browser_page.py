@@ -103,8 +103,8 @@ class Page:
 
     def menu(self, name):
         """Opens a menu of the bar above the picture; another one, which may cover it, is closed."""
-        for other in self.find('.menu[open] > summary'):
-            if other.text != name: other.click()
+        self.chrome.execute_script("""document.querySelectorAll('.menu[open]').forEach((m) => {
+            m.open = m.firstElementChild.textContent === arguments[0]; })""", name)
         if name not in [s.text for s in self.find('.menu[open] > summary')]: self.click('.menu > summary', name)
 
     def pixel_to_canvas(self, x, y, width, height):
