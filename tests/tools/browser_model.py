@@ -190,7 +190,8 @@ soon(lambda: not page.one('#model-save').is_enabled())
 # another program writes the file while a change of the page is not saved and the page has not heard of it
 page.js('window.deaf = true')
 page.keys('#skies label:nth-of-type(2) input', Keys.ARROW_RIGHT)
-check('a change is there to save', soon(lambda: page.one('#model-save').is_enabled()))
+check('a change is there to save', soon(lambda: page.one('#model-save').is_enabled()) and arrives(r'12 21 15 \+s'),
+      got()[-200:])
 theirs = open('sky.rad').read() + '# by hand\n'
 with open('sky.rad', 'w') as file: file.write(theirs)
 page.click('#model-save')
