@@ -32,7 +32,7 @@ kill_program() {
 seq 4 | sed "s/.*/& 2 .8 0 0 1/" > desk.pts
 for signals in KILL "TERM TERM"; do
     check "where vcview is ended by $signals all end, also while nothing is rendered, and those of a plan" '
-        begin -points desk.pts; await "below $live | grep -c ptaccum | grep -qx 2"; all=$(below $live | cut -d " " -f 1)
+        begin -points desk.pts; await "below $live | grep -c ptaccum | grep -qx 3"; all=$(below $live | cut -d " " -f 1)
         ask POST /control "preview -vp 2 2 1"; sleep .5; for s in '"$signals"'; do kill -$s $live || :; done
         await "! kill -0 $live 2> /dev/null"; for child in $all; do await "! kill -0 $child 2> /dev/null"; done
         rm -rf luxpipe.regions t/*'
