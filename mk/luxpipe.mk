@@ -9,7 +9,7 @@ FRAMES  ?= 64
 SIZE    ?= 256
 METRICS ?= Ev,DGPf,RAMMG
 # Certainty of the intervals beside each metric (NAME.lo, NAME.hi), which the kept picture has; empty: no intervals.
-CI      ?= 95
+CERTAINTY ?= 95
 # With UNTIL='DGPf 1%, Ev 0.5%' a picture is ready when the rule of vcmetrics holds, after at most FRAMES frames.
 UNTIL   ?=
 # no: a picture whose rule did not hold (status 4) is not made.  yes: it is kept as it is.
@@ -40,7 +40,7 @@ $(1).exr: $(1).words
 	$$(call luxpipe_render,$(1),$(2))
 	mv $(1).part.exr $$@
 $(1).tsv: $(1).exr
-	$$(VCMETRICS) -metrics $$(METRICS) $$(if $$(CI),-ci $$(CI)) $$< > $$@
+	$$(VCMETRICS) -metrics $$(METRICS) $$(if $$(CERTAINTY),-ci $$(CERTAINTY)) $$< > $$@
 -include $(1).d
 endef
 
