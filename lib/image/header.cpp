@@ -16,7 +16,8 @@
 namespace image {
 namespace {
 
-constexpr size_t longest_kept = 2040;  // RADIANCE reads lines of at most 2047 characters
+constexpr int64_t most_hours = 366 * 1440;  // lines of a weather file
+constexpr size_t longest_kept = 2040;       // RADIANCE reads lines of at most 2047 characters
 
 // A line whose key is known: what follows the key, and where it goes.
 struct Field {
@@ -120,6 +121,14 @@ void read_edit(F f) {
     if (end != std::string::npos) f.h.edited = f.text.substr(end + 1);
 }
 
+void read_hour(F f) {
+    const size_t slash = f.text.find('/');
+    if (slash == std::string::npos) fail(f, " is not HOUR=k/n");
+    const auto k = integer<int64_t>(f, f.text.substr(0, slash)), n = integer<int64_t>(f, f.text.substr(slash + 1));
+    if ((k < 1 && n > 0) || k > n || n > most_hours) fail(f, " is no number of an hour");
+    f.h.hour = {k, n};
+}
+
 void read_grid(F f) {
     const Grid grid = parse_grid(f.text, f.where);
     if (grid.first != count_of(f.h.grids)) fail(f, fmt::format(": {} points are before it", count_of(f.h.grids)));
@@ -177,6 +186,7 @@ constexpr Key keys[] = {
     {"SKYNAME=", [](F f) { f.h.sky_name = plain_name(f.text, f.where); }},
     {"STATE=", [](F f) { f.h.state = state_name(f.text, f.where); }},
     {"SHARED_PATHS=", [](F f) { f.h.shared_paths = plain_name(f.text, f.where); }},
+    {"HOUR=", read_hour},
     {"UNKNOWN=", [](F f) { f.h.unknown = one_line(f.text); }},
     {"GRID=", read_grid},
 };
@@ -212,6 +222,7 @@ std::vector<std::string> header_lines(const Header& h) {
     if (!h.sky_name.empty()) out.push_back("SKYNAME=" + h.sky_name);
     if (!h.state.empty()) out.push_back("STATE=" + h.state);
     if (!h.shared_paths.empty()) out.push_back("SHARED_PATHS=" + h.shared_paths);
+    if (h.hour) out.push_back(fmt::format("HOUR={}/{}", h.hour->first, h.hour->second));
     if (!h.unknown.empty()) out.push_back("UNKNOWN=" + one_line(h.unknown));
     for (const Grid& grid : h.grids) out.push_back("GRID=" + to_text(grid));
     if (h.pixel_aspect != 1) out.push_back(fmt::format("PIXASPECT={}", h.pixel_aspect));

@@ -39,12 +39,13 @@ struct Header {
     std::string view_name, sky_name;  // VIEWNAME=, SKYNAME=: in streams of several pictures of one scene; else empty
     std::string state;                // STATE=: of what moves in the scene (ptrace -state), "south/half"; else empty
     std::string shared_paths;         // SHARED_PATHS=: pictures that have it in common have paths in common; else empty
-    std::string unknown;              // UNKNOWN=why: the picture has no values, its pixels mean nothing; else empty
-    std::vector<Grid> grids;          // GRID=: a picture of points, without view; else empty
-    std::optional<int64_t> edit;      // EDIT=k what: pictures of a stream whose scene or view changes meanwhile
-    std::string edited;               // what: "view"
-    std::string fingerprint;          // FINGERPRINT=: of all that decides the pixels (fingerprint.h); empty: not known
-    Ranges ranges;                    // RANGE=a:b, both included; several after a merge
+    std::optional<std::pair<int64_t, int64_t>> hour;  // HOUR=k/n: the k-th of n hours of a run; 0/0: a named one
+    std::string unknown;          // UNKNOWN=why: the picture has no values, its pixels mean nothing; else empty
+    std::vector<Grid> grids;      // GRID=: a picture of points, without view; else empty
+    std::optional<int64_t> edit;  // EDIT=k what: pictures of a stream whose scene or view changes meanwhile
+    std::string edited;           // what: "view"
+    std::string fingerprint;      // FINGERPRINT=: of all that decides the pixels (fingerprint.h); empty: not known
+    Ranges ranges;                // RANGE=a:b, both included; several after a merge
     std::vector<std::pair<uint64_t, Ranges>>
         other_seeds;               // further SEED= lines with their RANGE= lines (merges of runs)
     bool tabbed_exposure = false;  // a line held EXPOSURE= and a TAB (evalglare refuses such)

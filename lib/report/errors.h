@@ -19,6 +19,8 @@ struct NumberError {
 constexpr const char* errors_column = "errors";
 // Rows with the same word have their paths in common: SHARED_PATHS=, seeds and frames of their pictures.
 constexpr const char* paths_column = "paths";
+// "3/2600": of the hours that were to be rendered this is the third.
+constexpr const char* hour_column = "hour";
 
 // Adds the word of a number; none if its error is nan.
 void add_error(const std::string& name, const NumberError& error, std::string& cell);

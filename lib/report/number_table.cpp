@@ -49,7 +49,7 @@ bool is_label(const std::string& name) {
 }
 
 // Columns of words about a row.
-bool is_note(const std::string& name) { return name == errors_column || name == paths_column; }
+bool is_note(const std::string& name) { return name == errors_column || name == paths_column || name == hour_column; }
 
 bool is_metric(const std::string& name) {
     return !is_label(name) && !is_note(name) && name != "seconds" && name != "settled" && name != "class" &&

@@ -76,6 +76,7 @@ public:
             Schedule s = read_schedule(word.substr(1), weather_, used_from_);
             if (s.minutes.empty()) return schedules_.push_back(std::move(s));
             minutes_.insert(s.minutes.begin(), s.minutes.end());
+            by_name_ = by_name_ || s.by_name;
             return;
         }
         if (word == "all") return;
@@ -120,10 +121,9 @@ public:
                            [&](const Schedule& s) { return s.used[size_t(24 * (day - 1) + int(hour + 1e-6))]; });
     }
     bool names(const Hour& hour) const { return named_.count(hour.time.minute_of_year()) > 0; }
-    std::vector<size_t> share(std::vector<size_t> hours) const {
-        const size_t n = hours.size();
-        return {hours.begin() + long((part_ - 1) * n / parts_), hours.begin() + long(part_ * n / parts_)};
-    }
+    // Of n hours: the first of the share, and the one behind its last.
+    size_t share_begins(size_t n) const { return (part_ - 1) * n / parts_; }
+    size_t share_ends(size_t n) const { return part_ * n / parts_; }
     std::string note() const {
         std::string text = fmt::format("1 January is a {}, standard time is UTC{:+g}", weekday_name(first_weekday_),
                                        -weather_.meridian_deg / 15 + 0.);
@@ -133,6 +133,7 @@ public:
         return text;
     }
     int year() const { return year_; }
+    bool by_name() const { return by_name_; }
 
 private:
     // A span has its last name in it, but for hours of the clock, which are times.
@@ -156,6 +157,7 @@ private:
             if (!minute) base::fail(option, word + " is not an hour of " + weather_.path);
             minutes_.insert(*minute);
             named_.insert(*minute);
+            by_name_ = true;
             return true;
         }
         if (date_named(word)) return read_span(word, word);
@@ -201,7 +203,7 @@ private:
     std::optional<DayRule> summer_[2];
     std::vector<Schedule> schedules_;
     int first_weekday_, year_ = 0;
-    bool leap_ = false;
+    bool leap_ = false, by_name_ = false;
     Span summer_days_{0, 0};
     size_t part_ = 1, parts_ = 1;
 };
@@ -218,8 +220,10 @@ Choice choose_hours(const Weather& w, const std::string& words, std::optional<do
     if (c.hours.empty()) base::fail(option, "\"" + base::excerpt(words) + "\" means no hour of " + w.path);
     c.note = rules.note();
     c.year = rules.year();
+    c.by_name = rules.by_name();
     c.whole = c.hours.size();
-    c.hours = rules.share(std::move(c.hours));
+    c.first = rules.share_begins(c.whole);
+    c.hours = {c.hours.begin() + long(c.first), c.hours.begin() + long(rules.share_ends(c.whole))};
     for (const size_t i : c.hours)
         if (rules.names(w.hours[i])) c.named.insert(i);
     return c;

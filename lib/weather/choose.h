@@ -13,7 +13,9 @@ namespace weather {
 struct Choice {
     std::vector<size_t> hours;  // indices of Weather::hours, rising
     size_t whole = 0;           // hours before a share was taken
+    size_t first = 0;           // of them: the share's first one
     std::set<size_t> named;     // those that words name, each by itself
+    bool by_name = false;       // words or lines of a file name hours: some of a year, not a year
     int year = 0;               // that was named; 0: none
     std::string note;           // how dates and clock were read: a sentence for the user
 };

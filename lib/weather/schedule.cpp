@@ -82,7 +82,7 @@ Schedule read_schedule(const std::string& path, const Weather& w, std::optional<
         if (const auto t = in.fields() > 1 || !is_number(word) ? parse_name(word) : std::nullopt; t && t->hour >= 0) {
             const auto minute = w.minute_named(*t);
             if (!minute) in.fail(word + " is not an hour of " + w.path);
-            s.minutes.push_back(*minute);
+            s.minutes.push_back(*minute), s.by_name = true;
             if (s.minutes.size() > 366 * 1440) in.fail("more names than a year has minutes");
         } else if (!is_number(word)) {
             if (!first) in.fail("\"" + base::excerpt(word) + "\" is neither the name of an hour nor a value");

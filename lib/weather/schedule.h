@@ -12,6 +12,7 @@ namespace weather {
 // Either hours of the weather or a value for each hour of the clock.
 struct Schedule {
     std::vector<int> minutes;  // Time::minute_of_year() of hours
+    bool by_name = false;      // which are names in the file
     std::vector<bool> used;    // 366 * 24 hours of the clock
 };
 

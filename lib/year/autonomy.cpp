@@ -37,6 +37,7 @@ GridYear judge(const Grid& grid, const Grid* direct, const Goals& goals, double 
     GridYear y;
     y.name = grid.name;
     y.hours = grid.hours.size();
+    y.to_come = grid.to_come;
     for (const GridHour& h : grid.hours) y.dark += is_dark(h), y.missing += is_missing(h);
     if (direct) y.sun_hours = direct->hours.size();
     const std::vector<size_t> hours = all_hours(grid), sun_hours = all_hours(direct ? *direct : grid);

@@ -38,7 +38,7 @@ struct SensorYear {
 struct GridYear {
     std::string name;
     std::vector<SensorYear> sensors;
-    size_t hours = 0, dark = 0, missing = 0;
+    size_t hours = 0, dark = 0, missing = 0, to_come = 0;
     std::optional<size_t> sun_hours;        // of the run with direct sun alone
     Bounded autonomy, credited, excessive;  // means over the sensors
     Useful useful;

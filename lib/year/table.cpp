@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "uncertainty/student.h"
 #include "year/table_row.h"
+#include "year/wanted.h"
 
 namespace year {
 namespace {
@@ -34,6 +35,7 @@ using GridHours = std::map<int, GridHour>;
 struct Reading {
     std::vector<std::pair<std::string, Hours>> views;
     std::vector<std::pair<std::string, GridHours>> grids;
+    std::map<std::string, Wanted> wanted;  // by view or grid
 };
 
 // By the states of shades.
@@ -46,6 +48,11 @@ size_t bytes_of(const GridHour& h) {
     return h.sensors.size() * sizeof(Lux) + h.halves.size() * sizeof(uncertainty::HalfCodes);
 }
 
+void add_to(Wanted& wanted, const Columns& c, const report::NumberRow& row, const weather::Time& time,
+            const std::string& path) {
+    wanted.add(time.minute_of_year(), c.hour ? row.notes[*c.hour] : "", path);
+}
+
 void add_sensor(const Columns& c, const report::NumberRow& row, const std::string& path, Reading& of, States& all) {
     constexpr size_t most_bytes = size_t(1) << 31;
     const std::vector<std::string>& labels = row.labels;
@@ -53,7 +60,7 @@ void add_sensor(const Columns& c, const report::NumberRow& row, const std::strin
     GridHour& hour = called(labels[*c.grid], of.grids)[time.minute_of_year()];
     const std::string& word = labels[*c.point];
     const size_t before = bytes_of(hour);
-    if (word == "0") hour = {};
+    if (word == "0") hour = {}, add_to(of.wanted[labels[*c.grid]], c, row, time, path);
     if (word != std::to_string(hour.sensors.size()))
         base::fail(path, labels[*c.grid] + " at " + labels[*c.sky] + ": point " + word + " where " +
                              std::to_string(hour.sensors.size()) + " comes next");
@@ -77,8 +84,9 @@ void add_table(const std::string& path, States& all, Tables& tables) {
         Reading& of = called(c->state ? row.labels[*c->state] : "", all.readings);
         if (c->grid) return add_sensor(*c, row, path, of, all);
         const Hour h = hour_of(*c, row, path);
-        Hour& known =
-            called(c->view ? row.labels[*c->view] : "", of.views).try_emplace(h.time.minute_of_year(), h).first->second;
+        const std::string view = c->view ? row.labels[*c->view] : "";
+        add_to(of.wanted[view], *c, row, h.time, path);
+        Hour& known = called(view, of.views).try_emplace(h.time.minute_of_year(), h).first->second;
         const double least = std::min(known.least_pixels, h.least_pixels);
         if (replaces(h, known)) known = h;
         known.least_pixels = least;
@@ -177,6 +185,8 @@ std::vector<StateTables> read_states(const std::vector<std::string>& paths) {
         Tables& tables = all.emplace_back(StateTables{state, kind}).tables;
         for (const auto& [name, hours] : of.views) tables.views.push_back(view_of(name, hours));
         for (auto& [name, hours] : of.grids) tables.grids.push_back(grid_of(name, hours));
+        for (View& view : tables.views) view.to_come = of.wanted[view.name].missing();
+        for (Grid& grid : tables.grids) grid.to_come = of.wanted[grid.name].missing();
         if (!tables.grids.empty() && !tables.views.empty())
             base::fail(paths.front(), "views and sensors are counted apart");
     }

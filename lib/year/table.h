@@ -31,6 +31,7 @@ struct View {
     std::string name;         // empty: the only one
     std::vector<Hour> hours;  // by time
     bool shared = false;      // hours have paths in common: all have half-samples
+    size_t to_come = 0;       // hours of its run that are not there (wanted.h)
 };
 
 struct Lux {
@@ -55,6 +56,7 @@ struct Grid {
     std::vector<GridHour> hours;  // by time, all with the same sensors
     bool shared = false;          // as of a view
     double strata = 0;            // fewest of an hour that has light; 0: half-samples are not known
+    size_t to_come = 0;           // as of a view
     size_t sensors() const { return hours.front().sensors.size(); }
 };
 

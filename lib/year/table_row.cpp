@@ -61,6 +61,7 @@ Columns::Columns(const report::NumberTable& t, Of what) {
     frame = column(t.labels, "frame");
     grid = column(t.labels, "grid"), point = column(t.labels, "point");
     errors = column(t.notes, report::errors_column), paths = column(t.notes, report::paths_column);
+    hour = column(t.notes, report::hour_column);
     name = grid ? "E" : column(t.names, "DGPf") ? "DGPf" : "DGP";
     const std::string end = grid ? "" : name + ".";
     value = column(t.names, name), low = column(t.names, end + "lo"), high = column(t.names, end + "hi");

@@ -12,7 +12,7 @@ namespace year {
 // Where the columns stand.  DGPf where it is there, else DGP; of sensors E, whose limits are called lo and hi.
 struct Columns {
     std::optional<size_t> view, sky, state, frame, grid, point;  // among labels
-    std::optional<size_t> errors, paths;                         // among notes
+    std::optional<size_t> errors, paths, hour;                   // among notes
     std::optional<size_t> value, low, high, pixel_error, joins, ev, ev_low, pixels;
     std::string name;  // of the value
 

@@ -6,6 +6,8 @@
 
 #include <cmath>
 
+#include "base/run.h"
+
 namespace year {
 namespace {
 
@@ -23,16 +25,21 @@ std::string class_text(const Verdict& v) {
 
 std::string show(const Hour& h, const std::string& command) { return command + " -hours " + name_of(h.time); }
 
+std::string hours_text(size_t hours, size_t to_come) {
+    return to_come ? fmt::format("{} of {}", hours, hours + to_come) : std::to_string(hours);
+}
+
 // The end of the line of hours.
 std::string missing_text(size_t hours) { return hours ? fmt::format(", {} without values\n", hours) : "\n"; }
 
 std::string five_lines(const View& view, const Verdict& v, const std::string& command) {
     std::string text = v.view.empty() ? "" : v.view + "\n";
-    text += fmt::format("hours     {}, {} dark, {} undecided", v.hours, v.dark, v.undecided) + missing_text(v.missing);
+    text += fmt::format("hours     {}, {} dark, {} undecided", hours_text(v.hours, v.to_come), v.dark, v.undecided) +
+            missing_text(v.missing);
     text += fmt::format("above     0.35: {}   0.40: {}   0.45: {}\n", count_text(v.above[0]), count_text(v.above[1]),
                         count_text(v.above[2]));
-    text += fmt::format("DGPe5     {:.3f} ({:.3f} to {:.3f}): EN 17037 {}\n", v.exceeded.value, v.exceeded.low,
-                        v.exceeded.high, class_text(v));
+    text += fmt::format("DGPe5     {:.3f} ({:.3f} to {:.3f}): EN 17037 {}{}\n", v.exceeded.value, v.exceeded.low,
+                        v.exceeded.high, class_text(v), v.to_come ? ", of these hours alone" : "");
     text += fmt::format("autonomy  {} of the hours are not above 0.40\n", percent_text(v.autonomy));
     for (const Hour& h : worst_hours(view, 1))
         text += fmt::format("worst     {:.3f}: {}\n", h.dgp.value, show(h, command));
@@ -65,6 +72,14 @@ std::string summary(const std::vector<View>& views, const std::vector<Verdict>& 
     return text;
 }
 
+std::string rest_line(size_t to_come, const std::string& command, const std::vector<std::string>& tables) {
+    if (to_come == 0) return "";
+    std::string text = "the rest  " + command;
+    for (const std::string& table : tables)
+        text += " " + base::command_line({"-after", table == "-" ? "hours.tsv" : table});
+    return text + "\n";
+}
+
 report::Line line_of(const Verdict& v) {
     report::Line line;
     report::add(line, "view", report::text_cell(v.view.empty() ? "-" : v.view));
@@ -75,6 +90,7 @@ report::Line line_of(const Verdict& v) {
     report::add(line, "class", report::text_cell(v.best == v.worst ? class_name(v.best) : "undecided"));
     report::add(line, "class.best", report::text_cell(class_name(v.best)));
     report::add(line, "class.worst", report::text_cell(class_name(v.worst)));
+    report::add(line, "to_come", double(v.to_come));
     return line;
 }
 
@@ -87,7 +103,8 @@ std::string worst_lines(const std::vector<View>& views, size_t n, const std::str
 }
 
 std::string summary(const GridYear& y, const Goals& g) {
-    std::string text = fmt::format("{}\nhours     {}, {} dark, {} sensors", y.name, y.hours, y.dark, y.sensors.size()) +
+    std::string text = fmt::format("{}\nhours     {}, {} dark, {} sensors", y.name, hours_text(y.hours, y.to_come),
+                                   y.dark, y.sensors.size()) +
                        missing_text(y.missing);
     text += fmt::format("DA        {} of the hours have {:g} lx, mean of the sensors\n", percent_text(y.autonomy),
                         g.autonomy_lux);
@@ -113,6 +130,7 @@ report::Line line_of(const GridYear& y) {
     add_useful(line, y.useful);
     add(line, "ASE", y.sun_hours ? y.exposed : unknown);
     add(line, "cDA", y.credited), add(line, "DAmax", y.excessive);
+    report::add(line, "to_come", double(y.to_come));
     return line;
 }
 

@@ -15,6 +15,9 @@ std::string percent_text(const Bounded& share);  // "62.1 % (60.2 to 64.0)"
 // once " -hours NAME" stands behind it.
 std::string summary(const std::vector<View>& views, const std::vector<Verdict>& verdicts, const std::string& command);
 
+// Of a year whose hours are not all there: the command that renders the others.  Else empty.
+std::string rest_line(size_t to_come, const std::string& command, const std::vector<std::string>& tables);
+
 report::Line line_of(const Verdict& verdict);
 
 // A line for each: DGP, the view, the command that shows it.

@@ -55,6 +55,7 @@ Verdict judge(const View& view, double alpha) {
     Verdict v;
     v.view = view.name;
     v.hours = view.hours.size();
+    v.to_come = view.to_come;
     const auto count = [&](auto&& is) { return size_t(std::count_if(view.hours.begin(), view.hours.end(), is)); };
     v.dark = count([](const Hour& h) { return h.dark; });
     v.missing = count([](const Hour& h) { return h.is_missing; });

@@ -27,6 +27,7 @@ struct Verdict {
     size_t hours = 0, dark = 0;
     size_t undecided = 0;          // hours whose interval holds a limit
     size_t missing = 0;            // of these, hours without values
+    size_t to_come = 0;            // hours of the run that are not there
     std::array<Bounded, 3> above;  // hours above each limit
     Bounded exceeded;              // DGPe5: at most 5 % of the hours are above it
     int best = 0, worst = 0;       // class: equal where it is decided

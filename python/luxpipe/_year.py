@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     import pandas
 
 
-WORDS = ("view", "sky", "state", "tails", "errors", "paths")  # columns that are no numbers
+WORDS = ("view", "sky", "state", "tails", "errors", "paths", "hour")  # columns that are no numbers
 
 
 class Year:

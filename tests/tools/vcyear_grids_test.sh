@@ -19,10 +19,11 @@ hours -frames 9 > all.tsv
 hours -ab 0 -frames 4 > sun.tsv
 
 check 'a row for each hour and sensor, of its last picture' '
-    head -n 1 all.tsv | grep -qx "sky	grid	point	E	lo	hi	errors"; [ "$(wc -l < all.tsv)" = 25 ]
+    head -n 1 all.tsv | grep -qx "sky	grid	point	E	lo	hi	errors	hour"; [ "$(wc -l < all.tsv)" = 25 ]
     sed -n 2p all.tsv | grep -q "^0121_0530	desk	0	0	"; tail -n 1 all.tsv | grep -q "^0321_1230	free	0	"'
 check 'those of an hour alone' '
-    hours -frames 9 -hours 0321_1230 > one.tsv; grep "^0321_1230" all.tsv | cmp - <(tail -n +2 one.tsv)'
+    hours -frames 9 -hours 0321_1230 | cut -f -7 > one.tsv
+    grep "^0321_1230" all.tsv | cut -f -7 | cmp - <(tail -n +2 one.tsv)'
 check 'with -points the points themselves, hour by hour' '
     ptrace -w- -hours-apart -points desk.pts -wea y.wea -frames 3 roof.rad 2> said | ptaccum -every x2 |
         vcmetrics -W- -each -points desk.pts > rows
@@ -69,8 +70,8 @@ check 'hours that share their paths say so, in all formats, and are counted in h
             ptaccum -every x2 |
             vcmetrics -W- -each "$@"
     }
-    shared > shared.tsv; head -n 1 shared.tsv | grep -qx "sky	grid	point	E	lo	hi	errors	paths"
-    tail -n 1 shared.tsv | grep -qE "	E=[0-9.e+-]+/[0-9.]+/[A-Za-z0-9_-]{16}/[0-9.]+	[0-9a-f]{8}$"
+    shared > shared.tsv; head -n 1 shared.tsv | grep -qx "sky	grid	point	E	lo	hi	errors	paths	hour"
+    tail -n 1 shared.tsv | grep -qE "	E=[0-9.e+-]+/[0-9.]+/[A-Za-z0-9_-]{16}/[0-9.]+	[0-9a-f]{8}	[-0-9/]+$"
     vcyear shared.tsv > says; vcyear all.tsv | cmp - says; shared -format jsonl > s.jsonl; vcyear s.jsonl | cmp - says'
 check_error 'never as if they were independent' 1 '^vcyear: 0121_0930: has no half-samples, but hours' '
     sed -E "s,/[A-Za-z0-9_-]{16}/[0-9.]+	,	,g" shared.tsv > bare.tsv; vcyear bare.tsv'

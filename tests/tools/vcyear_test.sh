@@ -27,7 +27,7 @@ check 'five lines, dark hours among them' '
 check 'the year is the same whatever the certainty of its limits' '
     for ci in 60 90 99; do certainty=$ci hours -frames 9 > ci.tsv 2> said; vcyear ci.tsv | cmp five -; done'
 check 'a table of limits alone counts as of 95 %, which is told' '
-    awk -F "\t" -v OFS="\t" "{ NF--; print }" all.tsv > limits.tsv
+    awk -F "\t" -v OFS="\t" "{ NF -= 2; print }" all.tsv > limits.tsv
     vcyear limits.tsv 2>&1 > out | grep -q "warning: limits.tsv: no column errors .*count as of 95 %$"'
 # Hours that share their paths: parts with the same seed do, too.
 shared() {
@@ -37,8 +37,8 @@ shared() {
 }
 check 'hours that share paths say so at the end of their rows, with half-samples' '
     shared -frames 9 > one.tsv 2> said; [ "$(cut -f 20 one.tsv | sort -u | wc -l)" -ge 2 ]
-    head -n 1 one.tsv | grep -q "	errors	paths$"
-    sed -n 3p one.tsv | grep -qE "	Ev=[^ ]*/[A-Za-z0-9_-]{16}/4 DGPf=[^ ]*/4 DGP.px=[^ ]*/4	[0-9a-f]{8}$"
+    head -n 1 one.tsv | grep -q "	errors	paths	hour$"
+    sed -n 3p one.tsv | grep -qE "	Ev=[^ ]*/[A-Za-z0-9_-]{16}/4 DGPf=[^ ]*/4 DGP.px=[^ ]*/4	[0-9a-f]{8}	2/12$"
     vcyear one.tsv > says; grep -q "^hours     12, 3 dark" says'
 check 'parts of one run join, in all formats' '
     for k in 1 2; do shared -frames 9 -hours $k/2 2> said > part.$k; done; cat part.1 part.2 | vcyear - | cmp - says'

@@ -48,6 +48,22 @@ TEST_CASE("which pictures have their paths in common is read, passed on, and no 
               .header.shared_paths.empty());
 }
 
+TEST_CASE("which hour of a run a picture is, is read, passed on, and no history") {
+    TempFolder temp;
+    Picture p = small_picture(3, 2);
+    p.header.hour = {163, 2600};
+    const std::string bytes = image::picture_bytes(p, Format::flt);
+    CHECK(bytes.find("\nHOUR=163/2600\n") != std::string::npos);
+    const Picture q = image::read_file(temp.holding("a.hdr", bytes));
+    CHECK(q.header.hour == p.header.hour);
+    CHECK(image::picture_bytes(q, Format::flt) == bytes);
+    for (const char* wrong : {"HOUR=5/4", "HOUR=0/4", "HOUR=4", "HOUR=4/x", "HOUR=1/99999999999"}) {
+        std::string broken = bytes;
+        broken.replace(broken.find("HOUR=163/2600"), 13, wrong);
+        CHECK_THROWS_AS(image::read_file(temp.holding("b.hdr", broken)), base::Error);
+    }
+}
+
 TEST_CASE("a stream is pictures one after another") {
     TempFolder temp;
     Picture p = small_picture(3, 2);

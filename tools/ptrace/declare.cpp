@@ -83,6 +83,8 @@ void declare_pictures(OptionTable& t, Options& opt) {
     t.add("-wea file", "A picture for each hour of this weather file, EPW or WEA", opt.weather);
     t.add("-hours words", "Hours to render, such as 'Mo-Fr 8-18'", opt.hours);
     t.add("-hours-apart", "Render each hour by itself, with paths of its own", opt.hours_apart);
+    t.add("-after file", "Go on: with the next frame of this sum (.exr), or with the hours that this table lacks",
+          opt.after);
     t.add("-occupied f", "Value of a schedule (-hours @file) from which an hour counts", [&](Arguments& a) {
          opt.hour_options.used_from = a.real(base::within(0, 1e9));
      }).default_text("0.1; of Daysim's anything above 0");

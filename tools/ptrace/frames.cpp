@@ -64,6 +64,7 @@ image::Picture start_picture(const Options& opt, const Sky& sky, size_t i, const
     picture.header.view_name = opt.views[i].name;
     picture.header.sky_name = sky.name;
     picture.header.state = opt.state;
+    picture.header.hour = sky.hour;
     picture.header.unknown = sky.unknown;
     if (sky.beside_shared) picture.header.shared_paths = image::no_shared_paths;
     picture.header.seed = opt.render.seed;

@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include "after.h"
 #include "base/progress.h"
 #include "base/run.h"
 #include "base/shutdown.h"
@@ -17,7 +18,8 @@ std::vector<bool> render_hours(Options opt, size_t i, device::Device& device, co
     std::vector<render::HourSky> hours;
     std::vector<size_t> of;  // of each: its place in opt.skies
     for (size_t sky = 0; sky < opt.skies.size(); sky++)
-        if (opt.skies[sky].light) hours.push_back(*opt.skies[sky].light), of.push_back(sky);
+        if (opt.skies[sky].light && !is_rendered(opt, i, opt.skies[sky]))
+            hours.push_back(*opt.skies[sky].light), of.push_back(sky);
     const size_t lit = hours.size();
     std::vector<bool> left(opt.skies.size());
     const std::vector<bool> alone = render::have_images(plan, hours);
@@ -33,7 +35,7 @@ std::vector<bool> render_hours(Options opt, size_t i, device::Device& device, co
     size_t next = 0;  // of opt.skies
     const auto dark_ones_before = [&](size_t sky) {
         for (; next < sky; next++) {
-            if (!opt.skies[next].is_black()) continue;
+            if (!opt.skies[next].is_black() || is_rendered(opt, i, opt.skies[next])) continue;
             image::Picture picture = start_picture(opt, opt.skies[next], i, nullptr);
             picture.header.shared_paths = shared;  // as all of the stream
             write_dark(opt, picture);

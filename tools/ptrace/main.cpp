@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 
+#include "after.h"
 #include "base/error.h"
 #include "base/failed_before.h"
 #include "base/files_read.h"
@@ -66,6 +67,7 @@ void render_view(Session& s, const Sky& sky, size_t i, bool last) {
 void render_dark(const Options& opt, const Sky& sky) {
     base::finish_on_signal();
     for (size_t i = 0; i < opt.views.size() && !base::shutdown_requested(); ++i) {
+        if (is_rendered(opt, i, sky)) continue;
         image::Picture picture = start_picture(opt, sky, i, nullptr);
         write_dark(opt, picture);
     }
@@ -75,7 +77,10 @@ void render_dark(const Options& opt, const Sky& sky) {
 using Left = std::vector<std::vector<bool>>;
 
 Left all_pictures(const Options& opt) {
-    return Left(std::max<size_t>(opt.views.size(), 1), std::vector<bool>(std::max<size_t>(opt.skies.size(), 1), true));
+    Left left(std::max<size_t>(opt.views.size(), 1), std::vector<bool>(std::max<size_t>(opt.skies.size(), 1), true));
+    for (size_t i = 0; i < opt.views.size(); ++i)
+        for (size_t k = 0; k < opt.skies.size(); ++k) left[i][k] = !is_rendered(opt, i, opt.skies[k]);
+    return left;
 }
 
 // Renders the hours of -wea together in the room, and returns what is left; nothing if this run has none to be rendered

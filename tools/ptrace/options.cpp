@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <set>
 
+#include "after.h"
 #include "base/error.h"
 #include "base/model_folder.h"
 #include "base/run.h"
@@ -227,6 +228,7 @@ std::optional<int> parse(int argc, char** argv, const std::vector<std::string>& 
     if (!opt.warnings) base::set_warning_sink({});
     choose_hours(table, opt);
     if (opt.last == Options::endless && why_apart(opt).empty()) opt.last = opt.first + Options::frames_of_hours;
+    go_on_after(opt, table.given("-seed"));
     std::string ignored, spectral;
     for (const std::string& name : table.ignored_ones())
         if (name == "-z") base::warn("-z", "ignored: no depth file is written");

@@ -15,6 +15,7 @@
 #include "render/view_plan.h"
 #include "skies.h"
 #include "view/view.h"
+#include "weather/rendered.h"
 
 // A picture and its name; a single one has none.
 struct NamedView {
@@ -37,6 +38,8 @@ struct Options {
     bool second_sky = false;                // -second-sky
     bool hours_apart = false;               // -hours-apart: each rendered by itself
     std::string mean_sky;                   // that stands for those of all hours (render/hours.h)
+    std::vector<std::string> after;         // -after
+    weather::Rendered rendered;             // hours of its tables
     std::vector<std::string> points_files;  // -points: one picture of these points; "-": standard input
     std::optional<bool> sensors;            // -I: of -points; absent: not said
     std::vector<image::Grid> grids;         // of the points

@@ -92,6 +92,8 @@ HourSkies skies_of_hours(const std::string& weather_file, const std::string& hou
                                  minute % 60, -w.meridian_deg / 15 + 0.),
                      fmt::format("SUN= {:.2f} {:.2f}", sun.altitude_deg, sun.azimuth_deg),
                      fmt::format("IRRADIANCE= {:g} {:g}", h.direct_wm2, h.diffuse_wm2)};
+        sky.hour = {0, 0};
+        if (!choice.by_name) sky.hour = {int64_t(choice.first + all.skies.size() + 1), int64_t(choice.whole)};
         if (light) sky.light = hour_sky(h, *light);
         if (light)
             sky.lines.push_back(fmt::format("ILLUMINANCE= {:.0f} {:.0f}",

@@ -15,7 +15,8 @@ struct Sky {
     bool dark = false;               // an hour without daylight: one black frame
     std::string unknown;             // why there is no light to render by: a black frame that says so; else empty
     std::vector<std::string> lines;  // of its header
-    std::optional<render::HourSky> light = {};  // of an hour that is not dark
+    std::optional<std::pair<int64_t, int64_t>> hour = {};  // of its header, likewise
+    std::optional<render::HourSky> light = {};             // of an hour that is not dark
 
     bool beside_shared = false;  // rendered by itself, in a run whose other hours share their paths
 

@@ -116,6 +116,7 @@ Line point_row(const Options& o, const GridState& s, size_t g, size_t i) {
     add(line, "E", s.grids[g].value[i]), add(line, "lo", limits.low), add(line, "hi", limits.high);
     add(line, errors_column, text_cell(grid_errors(s.grids[g], i, prints_halves(o, s.header))));
     if (!paths.empty()) add(line, paths_column, text_cell(paths));
+    if (s.header.hour) add(line, hour_column, text_cell(i == 0 ? hour_of(s.header) : "-"));
     return line;
 }
 

@@ -111,6 +111,7 @@ std::vector<Line> lines_of(const Options& o, const Heading& heading, const RunSt
             add_source(o, sources[k], k + 1, shares[k],
                        o.outlines ? source_outline(row.measurement, run.reading.geometry(), sources[k]) : "", out[k]);
         if (heading.paths) add(out[k], paths_column, text_cell(row.paths.empty() ? "-" : row.paths));
+        if (heading.hours) add(out[k], hour_column, text_cell(row.hour.empty() ? "-" : row.hour));
     }
     return out;
 }
@@ -124,6 +125,7 @@ RowText text_of(const Options& o, Heading heading, const RunState& run, const Ro
         heading.views = !row.view.empty(), heading.skies = !row.sky.empty(), heading.states = !row.state.empty(),
         heading.edits = row.edit.has_value();
     heading.paths = heading.paths || !row.paths.empty();
+    heading.hours = heading.hours || !row.hour.empty();
     const std::vector<Line> lines = lines_of(o, heading, run, row);
     Line first = lines.empty() ? start_of(o, heading, row) : lines[0];
     if (lines.empty()) add_source(o, {}, 0, 0, "", first);

@@ -12,6 +12,7 @@ struct Heading {
     bool views = false, skies = false, states = false,
          edits = false;  // pictures are named, as those of ptrace -views, -sky, -watch
     bool paths = false;  // some of them share their paths
+    bool hours = false;  // they say which of how many hours they are
 };
 
 struct RowText {

@@ -59,6 +59,7 @@ Row row_of(const Options& o, const RunState& run, const image::Header& header, c
     out.file = place.file, out.view = header.view_name, out.sky = header.sky_name, out.state = header.state,
     out.edit = header.edit;
     out.paths = paths_of(header);
+    out.hour = hour_of(header);
     out.frame = frame_number(header, place);
     out.may_be_black =
         !header.unknown.empty() || is_dark_hour(header) || (header.frames == 0 && header.last_frame != 0);

@@ -42,6 +42,7 @@ struct Number {
 struct Row {
     std::string file, view, sky, state;  // view, sky, state: their names
     std::string paths;                   // the same in rows that share them; empty: none
+    std::string hour;                    // "3/2600", "-"; empty: none
     std::optional<int64_t> edit;
     int64_t frame;
     double seconds;                   // since the start of the run

@@ -19,3 +19,8 @@ std::string paths_of(const image::Header& h) {
     for (const auto& [seed, ranges] : h.other_seeds) hash.add({seed}), hash.add_all(image::to_text(ranges));
     return hash.text().substr(0, digits);
 }
+
+std::string hour_of(const image::Header& h) {
+    if (h.hour && h.hour->second == 0) return "-";
+    return h.hour ? std::to_string(h.hour->first) + "/" + std::to_string(h.hour->second) : "";
+}

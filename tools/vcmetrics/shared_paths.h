@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What rows of hours say of errors that they may have in common (year/table.h reads it).
+// What rows of hours say of errors that they may have in common, and of the year that they are of (year/table.h reads
+// it).
 #pragma once
 #include <string>
 
@@ -12,3 +13,5 @@ bool prints_halves(const Options& options, const image::Header& header);
 // The same for pictures whose paths are the same: those of one set, seeds and frames.  Empty: they are the picture's
 // own.
 std::string paths_of(const image::Header& header);
+// Which of how many hours it is: "3/2600"; "-": one that was named; empty: none.
+std::string hour_of(const image::Header& header);

@@ -52,7 +52,10 @@ std::string answer_of_views(const Options& opt, const Counted& c) {
     std::vector<report::Line> lines;
     for (const year::Verdict& v : verdicts) lines.push_back(year::line_of(v)), year::add_shades(lines.back(), c.groups);
     if (opt.format) return report::table(lines, *opt.format);
-    return year::summary(views, verdicts, opt.command) + c.shade_lines();
+    size_t to_come = 0;
+    for (const year::View& v : views) to_come += v.to_come;
+    return year::summary(views, verdicts, opt.command) + c.shade_lines() +
+           year::rest_line(to_come, opt.command, opt.tables);
 }
 
 int work(int argc, char** argv) {

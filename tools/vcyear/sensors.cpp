@@ -129,6 +129,9 @@ std::string answer_of_sensors(const Options& o, const Counted& c) {
         if (!o.each) year::add_shades(lines.back(), c.groups);
     }
     text += c.shade_lines();
+    size_t to_come = 0;
+    for (const year::GridYear& y : years) to_come += y.to_come;
+    text += year::rest_line(to_come, o.command, o.tables);
     if (o.leed) text += year::lines_of(year::judge_leed(years, o.goals));
     return o.format || o.each ? report::table(lines, o.format.value_or(report::TableFormat::tsv)) : text;
 }

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// See rendered.h.
+#include "weather/rendered.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "weather/lines.h"
+
+namespace weather {
+namespace {
+
+// Columns of the line of names.
+struct Names {
+    size_t count = 0;
+    std::optional<size_t> sky, view, state, point;
+
+    explicit Names(const Lines& in) : count(in.fields()) {
+        for (size_t i = 0; i < count; ++i) {
+            const std::string& name = in.field(i, "a name");
+            if (name == "sky") sky = i;
+            if (name == "view") view = i;
+            if (name == "state") state = i;
+            if (name == "point" || name == "E") point = i;
+        }
+        if (!sky) in.fail("has no column sky with the names of hours (vcmetrics, of ptrace -wea)");
+    }
+};
+
+}  // namespace
+
+void read_rendered(const std::string& path, Rendered& all) {
+    Lines in(path);
+    std::optional<Names> names;
+    std::string header;
+    std::map<Rendered::key_type, std::map<std::string, size_t>> rows;  // and by hour
+    size_t most = 1;
+    while (in.next()) {
+        if (in.text()[0] == '#' || in.text() == header) continue;
+        in.split(in.text().find('\t') != std::string::npos ? '\t' : ',');
+        if (!names) {
+            names.emplace(in);
+            header = in.text();
+            continue;
+        }
+        if (in.fields() != names->count) in.fail("has fewer columns than the first line: the table was cut off in it");
+        const std::string& sky = in.field(*names->sky, "the hour");
+        if (!parse_name(sky)) in.fail("\"" + sky + "\" is not the name of an hour (0621_1430)");
+        const auto name = [&](const std::optional<size_t>& at) { return at ? in.field(*at, "a name") : ""; };
+        const size_t n = ++rows[{name(names->view), name(names->state)}][sky];
+        if (names->point) most = std::max(most, n);
+    }
+    for (const auto& [key, hours] : rows)
+        for (const auto& [hour, n] : hours)
+            if (n >= most) all[key].insert(hour);
+}
+
+}  // namespace weather
