@@ -144,6 +144,30 @@ static std::vector<std::string> plan_of_report(Live& live, const PlanOptions& pl
     return {};
 }
 
+// -variant and -day: pictures and numbers of the variants as far as they are known, hours of the day.
+static std::vector<std::string> others_of_report(const State& s, const TempFolder& folder) {
+    std::vector<std::string> out;
+    for (const Variant& v : s.now.variants) {
+        const Result* known = result_of(s, v.look);
+        if (!known || !known->picture) continue;
+        const std::string of = "variant" + std::to_string(out.size());
+        std::string lines;
+        for (const std::string& line : known->numbers) lines += line + "\n";
+        out.insert(out.end(),
+                   {"-variant", v.name, folder.write(of, image::picture_bytes(*known->picture, image::Format::flt)),
+                    folder.write(of + ".lines", lines)});
+    }
+    std::string hours;
+    for (const auto& [hour, row] : s.day.hours) {
+        char line[100];
+        std::snprintf(line, sizeof line, "%d:00: DGPf %.3f (%.3f to %.3f), %.0f lx at the eye\n", hour, row[0], row[1],
+                      row[2], row[3]);
+        hours += line;
+    }
+    if (!hours.empty()) out.insert(out.end(), {"-day", folder.write("day", hours)});
+    return out;
+}
+
 Asked::Found find_report(Live& live, std::vector<std::string> command, const PlanOptions& plan) {
     std::optional<Live::News> news;
     std::string table;
@@ -161,6 +185,8 @@ Asked::Found find_report(Live& live, std::vector<std::string> command, const Pla
         const std::vector<std::string> maps = plan_of_report(live, plan, folder);
         command.insert(command.end(), maps.begin(), maps.end());
         const State s = live.state();
+        const std::vector<std::string> others = others_of_report(s, folder);
+        command.insert(command.end(), others.begin(), others.end());
         for (size_t n = 0; n < s.files.size(); ++n)
             if (s.now.texts[n] && s.files[n].kind == TextFile::Kind::scene)
                 command.insert(command.end(), {"-overlay", s.files[n].path,

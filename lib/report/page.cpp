@@ -11,6 +11,7 @@
 #include "base/printable.h"
 #include "base/angle.h"
 #include "glare/columns.h"
+#include "report/page_about.h"
 #include "report/page_figures.h"
 #include "report/page_style.h"
 #include "report/table.h"
@@ -136,8 +137,12 @@ std::string numbers(const Page& page, const char* title, const std::vector<Page:
         "<th>{0:g} % interval</th><th></th></tr></thead><tbody>\n",
         100 * page.certainty, title);
     for (const Page::Number& n : all) {
-        if (!std::isfinite(n.value)) continue;  // a region that is out of sight
         const auto [words, unit] = words_of(n.name);
+        if (!std::isfinite(n.value)) {  // a region that is out of sight, or what needs moments of pixels
+            out += fmt::format("<tr><td>{}</td><td>{}</td><td>not known</td><td></td><td></td></tr>\n", escaped(words),
+                               words == n.name ? "" : escaped(n.name));
+            continue;
+        }
         out += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n", escaped(words),
                            words == n.name ? "" : escaped(n.name), value_text(n), interval_text(n), unit);
     }
@@ -191,10 +196,10 @@ std::string view_words(const Page& page) {
     const base::Vec3 d = base::unit(v.vd);
     const double north = std::atan2(d.x, d.y) / base::degree;
     return fmt::format(
-        "{}, {:g}° by {:g}°, {} by {} pixels; eye at {:g}, {:g}, {:g}; looks {:.0f}° from north (the y axis) over "
+        "{}, {:g}° by {:g}°, {} by {} pixels; eye at {:g}, {:g}, {:g}; looks {}, {:.0f}° from north (the y axis) over "
         "east, {}",
-        type, v.vh, v.vv, page.width, page.height, v.vp.x, v.vp.y, v.vp.z, north < 0 ? north + 360 : north,
-        side(std::asin(std::clamp(d.z, -1., 1.)) / base::degree, "up", "down"));
+        type, v.vh, v.vv, page.width, page.height, v.vp.x, v.vp.y, v.vp.z, compass_word(north),
+        north < 0 ? north + 360 : north, side(std::asin(std::clamp(d.z, -1., 1.)) / base::degree, "up", "down"));
 }
 
 std::string list(const char* title, const std::vector<std::string>& lines) {
@@ -235,16 +240,16 @@ std::string page_text(const Page& page) {
         "<title>Glare: {0}</title>\n<style>{1}</style>\n</head>\n<body>\n<section>\n"
         "<h1>Glare report</h1>\n<p class=\"title\">{0}{2}</p>\n",
         escaped(page.title), page_style, date_of(page));
-    out += verdict(page);
+    out += about_list(page) + verdict(page);
     for (const std::string& note : page.notes) out += "<p class=\"note\">" + escaped(note) + "</p>\n";
-    out += "<div class=\"drawings\">\n";
+    out += criteria_table(page) + "<div class=\"drawings\">\n";
     for (const Page::Drawing& d : page.drawings) out += drawing(page, d);
     out +=
         "</div>\n" + legend(page.legend) + numbers(page, "Numbers", page.numbers, words_of) + "</section>\n<section>\n";
     if (!page.plan.svg.empty())
         out += numbers(page, "Plan", page.plan.numbers, words_of_grid) + plan_maps(page.plan.svg) +
                "</section>\n<section>\n";
-    out += sources(page) + origin(page);
+    out += variants_and_day(page) + sources(page) + origin(page);
     return out +
            "<p class=\"note\">Intervals cover the noise of the rendering, not the model, the materials, the sky or how "
            "people differ. DGP: Wienold and Christoffersen 2006.</p>\n</section>\n</body>\n</html>\n";

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 #include "image/picture.h"
+#include "report/criterion.h"
 
 namespace report {
 
@@ -32,6 +33,11 @@ struct Page {
     struct Drawing {
         std::string caption, png;  // png: the file's bytes
     };
+    // Another picture beside this one, and lines about it.
+    struct Variant {
+        std::string name, png;
+        std::vector<std::string> lines;
+    };
     // The scale of the falsecolor picture: places from 0 (bottom) to 1.
     struct Legend {
         std::vector<std::string> colours;  // evenly spaced
@@ -42,6 +48,8 @@ struct Page {
     };
 
     std::string title;
+    std::vector<std::pair<std::string, std::string>> about;  // project, author, room, place ...: in the user's words
+    std::vector<Criterion> criteria;
     std::vector<Number> numbers;
     std::vector<std::string> notes;  // sentences below the verdict
     bool is_black = false;           // no light reaches the eye, so that glare has no class
@@ -54,7 +62,9 @@ struct Page {
         std::string svg;  // maps of points; empty: there is none
         std::vector<Number> numbers;
     } plan;
-    bool knows_objects = false;  // what is seen at the sources has a column
+    std::vector<Variant> variants;
+    std::vector<std::string> day;  // a line an hour
+    bool knows_objects = false;    // what is seen at the sources has a column
     std::vector<std::string> sky;
     view::View view;
     int width = 0, height = 0;  // of the picture that was measured

@@ -11,6 +11,7 @@ body { margin: 0 auto; padding: 24px; max-width: 190mm; font: 10pt/1.4 system-ui
   background: #fff; }
 h1 { font-size: 18pt; margin: 0; } h2 { font-size: 12pt; margin: 16px 0 4px; } p { margin: 2px 0; }
 .title { color: var(--soft); margin-bottom: 10px; overflow-wrap: anywhere; }
+.about { margin-bottom: 10px; }
 .verdict { border-left: 8px solid; padding: 4px 12px; background: #f5f5f5; }
 .words { font-size: 16pt; font-weight: 600; }
 .verdict.class0 { border-color: #2e8b57; } .verdict.class1 { border-color: #c9a400; }
@@ -24,6 +25,7 @@ svg text { font-family: system-ui, sans-serif; text-anchor: middle; }
 svg { display: block; width: 100%; }
 .plan { width: 100%; max-height: 190mm; object-fit: contain; object-position: 0 0; margin-top: 10px; }
 .drawings { display: grid; grid-template-columns: 1fr 1fr; gap: 10px; margin-top: 12px; }
+.variants { grid-template-columns: repeat(3, 1fr); } .variants img { width: 100%; }
 figure { margin: 0; } figcaption, .note { font-size: 8.5pt; color: var(--soft); }
 figure path { fill: none; } figure .source { stroke: #ff9d1e; } figure .region { stroke: #36d6ff; }
 figure text { paint-order: stroke; stroke: #000b; stroke-width: .28em; font-weight: 600; }

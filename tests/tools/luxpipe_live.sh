@@ -60,6 +60,24 @@ check 'a report has the numbers of the line, of an edit that is not saved, too, 
     grep -q "sky_day.rad (as changed in the page)</td><td>$hash" report
     grep -q "ptrace -frames 33 -vf view.vf -x 64 -y 64 -vta .* -x 64 -y 64 -frames 0:32 materials.rad" report
     ! grep -q "$TMPDIR" report; kill $live; ended'
+# The commands of a report, as a script.
+commands() {
+    python3 -c "import html, re, sys
+part = re.search(r'<dt>Commands</dt><dd>(.*?)</dd>', open(sys.argv[1]).read(), re.S).group(1)
+print('\n'.join(html.unescape(c) for c in re.findall(r'<code>(.*?)</code>', part, re.S)))" "$1"
+}
+check 'its commands run in another folder, where no region is drawn and nothing was saved, to the same numbers' '
+    begin -frames 33 -about "Project: a <test>" -criterion "EN 17037 high: DGPf <= 0.35" -criterion "UGRf <= 19"
+    ask POST "/overlay?n=3&version=0" "$(cat edited)"
+    await "tail -1 lines | cut -f 1,3 | tr \"\\t\" \" \" | grep -qx \"32 1\""
+    ask GET "/report?picture=1" > report; tail -1 lines | cut -f 4,10 > told; kill $live; ended
+    grep -q "<dt>Project</dt><dd>a &lt;test&gt;</dd>" report
+    grep -q "<td>EN 17037 high</td><td>DGPf at most 0.35</td><td>.*met</td>" report
+    grep -q "<td>UGRf</td><td>UGRf at most 19</td><td>not known</td>" report
+    commands report > script; grep -qx "cat > sky_day.changed.rad << .END OF TEXT." script
+    mkdir copy; cp *.rad *.vf copy; (cd copy; bash -eo pipefail ../script > table 2> said)
+    head -n 1 copy/table | tr "\t" "\n" | grep -nE "^(Ev|DGPf)$" | cut -d : -f 1 | paste -sd , > at
+    tail -n 1 copy/table | cut -f "$(cat at)" | cmp - told; test -s copy/report.html'
 check 'what the programs say is in the page and on the standard error' '
     begin; ask POST "/overlay?n=1&version=0" "broken"; await "grep -q ^ptrace: said"
     await "ask GET /next | grep -aq \"messages.*ptrace: .*current.:1\""; kill $live; ended'

@@ -49,6 +49,20 @@ void declare_output(OptionTable& t, Options& o) {
     t.add("-report file", "Write a report of the last picture, for people (.html)", o.report_file);
     t.add("-scene file", "Scene of the report, which then says what is seen at glare sources; may be repeated",
           [&](Arguments& a) { o.scene.push_back(a.text()); });
+    t.add("-about words", "A line of the report, such as 'Project: town hall'; may be repeated", [&](Arguments& a) {
+        const std::string words = a.text();
+        const size_t colon = words.find(':');
+        if (colon == std::string::npos) base::fail("-about", "\"" + words + "\" is not like 'Project: town hall'");
+        o.about.emplace_back(words.substr(0, colon), words.substr(std::min(words.size(), colon + 2)));
+    });
+    t.add("-criterion rule", "A rule that the report judges, such as 'EN 17037 medium: DGPf <= 0.40'; may be repeated",
+          [&](Arguments& a) { o.criteria.push_back(report::parse_criterion(a.text(), "-criterion")); });
+    t.add("-variant name picture file", "Another picture of the report, and a file of lines about it; may be repeated",
+          [&](Arguments& a) {
+              const std::string name = a.text(), picture = a.text();
+              o.variants.push_back({name, picture, a.text()});
+          });
+    t.add("-day file", "Lines of the report about the hours of a day", o.day);
     t.add("-overlay file text", "Read the second file in place of the first one, a file of the scene",
           [&](Arguments& a) {
               const std::string file = a.text();

@@ -9,6 +9,7 @@
 #include "evalglare/settings.h"
 #include "glare/settings.h"
 #include "report/against.h"
+#include "report/criterion.h"
 #include "report/table.h"
 #include "view/view.h"
 
@@ -25,11 +26,18 @@ struct Options {
     bool last = false;                      // -last: no row of a sum that another follows
     bool like_rtrace = false;               // -like rtrace: its lines, of points
     bool list_sources = false;
-    bool outlines = false;                  // of sources
-    std::string over_file;                  // -over; empty: none
-    std::string report_file, numbers_file;  // -report, -numbers
-    std::string plan_map, plan_numbers;     // -plan
-    std::vector<std::string> scene;         // -scene: of the report
+    bool outlines = false;                                   // of sources
+    std::string over_file;                                   // -over; empty: none
+    std::string report_file, numbers_file;                   // -report, -numbers
+    std::string plan_map, plan_numbers;                      // -plan
+    std::vector<std::string> scene;                          // -scene: of the report
+    std::vector<std::pair<std::string, std::string>> about;  // -about: likewise
+    struct Variant {
+        std::string name, picture, lines;  // files
+    };
+    std::vector<Variant> variants;            // -variant: likewise
+    std::string day;                          // -day: likewise
+    std::vector<report::Criterion> criteria;  // -criterion: likewise
     base::ReadOptions scene_options;
     std::vector<std::pair<std::string, std::string>> overlays;  // -overlay: file and the one that has its text
     report::TableFormat format = report::TableFormat::tsv;

@@ -24,6 +24,7 @@
 #include "image/stream.h"
 #include "report/number_table.h"
 #include "report/page.h"
+#include "report_commands.h"
 #include "visibility/seen.h"
 #include "visibility/visibility.h"
 
@@ -85,6 +86,9 @@ std::vector<Page::Number> recorded(const std::string& file) {
     return out;
 }
 
+// Of an infinitely fine picture, which moments of pixels stand for.
+bool is_of_filled(const std::string& column) { return column == "DGPf" || column == "UGRf" || column == "DGIf"; }
+
 // The numbers of the row, or the recorded ones.
 std::vector<Page::Number> numbers_of(const Options& o, const RunState& run, const Row& row) {
     std::vector<Page::Number> out;
@@ -93,18 +97,27 @@ std::vector<Page::Number> numbers_of(const Options& o, const RunState& run, cons
         const Number& n = row.numbers[k];
         const glare::Column& c = run.plan.columns[k];
         const bool stands_in = c.name == "DGP" && !row.measurement.filled;
-        if ((c.printed || stands_in) && !c.words)
-            out.push_back({c.name, n.value, n.middle + n.off.low, n.middle + n.off.high});
+        if ((!c.printed && !stands_in) || c.words) continue;
+        out.push_back({c.name, n.value, n.middle + n.off.low, n.middle + n.off.high});
+        if (!row.measurement.filled && is_of_filled(c.name)) out.back() = {c.name, NAN, NAN, NAN};
     }
     return out;
 }
 
 // Why numbers of the page are not those that a reader expects.
-std::vector<std::string> notes_of(const Options& o, const RunState& run) {
-    if (!o.numbers_file.empty() || run.reading.lum.moments) return {};
-    return {
-        "The picture has no moments of its pixels (a stream of ptrace and its OpenEXR files have), and so there is no "
-        "DGPf. DGP depends on the size of the pixels: sources that are smaller than a pixel count too little."};
+std::vector<std::string> notes_of(const Options& o, const RunState& run, const std::vector<Page::Number>& numbers) {
+    std::vector<std::string> notes;
+    if (o.numbers_file.empty() && !run.reading.lum.moments)
+        notes.emplace_back(
+            "The picture has no moments of its pixels (a stream of ptrace and its OpenEXR files have), and so there is "
+            "no DGPf. DGP depends on the size of the pixels: sources that are smaller than a pixel count too little.");
+    const auto is_known = [](const Page::Number& n) { return std::isfinite(n.low); };
+    if (std::none_of(numbers.begin(), numbers.end(), is_known))
+        notes.emplace_back(
+            "There are no intervals: a single picture does not tell how far its noise reaches. The stream of its "
+            "frames "
+            "does (ptaccum without -last), and so does an OpenEXR file that ptaccum has made of them.");
+    return notes;
 }
 
 std::vector<visibility::WeightedRay> rays_to(const std::vector<float>& area, const glare::Geometry& g,
@@ -187,6 +200,28 @@ void add_drawings(const image::Picture& picture, Page& page) {
         page.legend.ticks.emplace_back(scale.place(tick), fmt::format("{:g}", tick));
 }
 
+std::vector<std::string> lines_of(const std::string& file) {
+    std::vector<std::string> out;
+    std::istringstream in(base::read_text_file(file, longest_map));
+    for (std::string line; std::getline(in, line);) out.push_back(line);
+    return out;
+}
+
+// In the scale of the picture.
+void add_variants(const Options& o, const image::Picture& picture, Page& page) {
+    display::ToneOptions colours;
+    colours.kind = display::ToneOptions::Kind::falsecolor, colours.legend = false;
+    colours.max_cdm2 = display::falsecolor_scale(picture, colours).top;
+    for (const Options::Variant& v : o.variants) {
+        const image::Picture p = image::read_file(v.picture);
+        Grid grid = reduced(p.rgb, p.width, p.height, 3, factor(p.width, p.height, most_pixels / 2));
+        image::Picture small;
+        small.width = grid.width, small.height = grid.height, small.rgb = std::move(grid.values);
+        page.variants.push_back({v.name, display::png_bytes(display::tone(small, colours), ""), lines_of(v.lines)});
+    }
+    if (!o.day.empty()) page.day = lines_of(o.day);
+}
+
 // The lines that ptrace -wea writes of an hour, in words.
 std::vector<std::string> hour_of(const image::Header& header) {
     constexpr std::pair<const char*, const char*> words[] = {
@@ -230,34 +265,6 @@ void add_files(const Options& o, const std::vector<std::string>& files, Page& pa
     }
 }
 
-void erase(std::string& text, const std::string& part) {
-    if (const size_t at = text.find(part); at != std::string::npos) text.erase(at, part.size());
-}
-
-// The commands of the header and our own; of a live stream those that make this picture alone.
-void add_commands(const Options& o, const image::Picture& picture, Page& page) {
-    const image::Header& h = picture.header;
-    for (std::string line : h.lines) {
-        if (line.find("CAPDATE=") == 0 || line.find("SOFTWARE=") == 0) continue;
-        if (const size_t control = line.find(" -control "); h.edit && control != std::string::npos) {
-            line.erase(control, line.find(' ', control + 10) - control);
-            erase(line, " -watch");
-            const size_t scene = o.scene.empty() ? std::string::npos : line.find(" " + o.scene[0]);
-            if (scene != std::string::npos)
-                line.insert(scene, fmt::format("{} -x {} -y {} -frames 0:{}", view::to_options(page.view),
-                                               picture.width, picture.height, h.frames.value_or(0)));
-        }
-        page.commands.push_back(o.files.empty() ? line + " |" : line);
-    }
-    std::string own = o.command;
-    if (!o.numbers_file.empty()) erase(own, " -plan " + o.plan_map + " " + o.plan_numbers);
-    erase(own, " -numbers " + o.numbers_file);
-    for (const auto& [file, text] : o.overlays) erase(own, " -overlay " + file + " " + text);
-    if (const size_t at = own.find(o.report_file); at != std::string::npos && !o.numbers_file.empty())
-        own.replace(at, o.report_file.size(), report::name_in_folder(o.report_file));
-    page.commands.push_back(own);
-}
-
 }  // namespace
 
 void write_report(const Options& o, const image::Picture& picture, const RunState& run, const Row& row) {
@@ -268,7 +275,9 @@ void write_report(const Options& o, const image::Picture& picture, const RunStat
     if (page.title.empty() && !o.scene.empty())
         page.title = std::filesystem::absolute(o.scene[0]).parent_path().filename().string();
     page.numbers = numbers_of(o, run, row);
-    page.notes = notes_of(o, run);
+    page.notes = notes_of(o, run, page.numbers);
+    page.about = o.about;
+    page.criteria = o.criteria;
     page.is_black = glare::is_black(row.measurement);
     page.certainty = o.ci.value_or(.95);
     page.view = g.projector.view();
@@ -278,10 +287,14 @@ void write_report(const Options& o, const image::Picture& picture, const RunStat
     add_regions(o, picture, g, page);
     add_sources(o, picture, run, row.measurement, page);
     add_drawings(picture, page);
+    add_variants(o, picture, page);
     const std::vector<std::string> files = base::paths_of(*o.scene_options.read);
     add_sky(o, files, picture.header, page);
     add_files(o, files, page);
-    add_commands(o, picture, page);
+    std::vector<std::string> regions;
+    if (!o.regions_file.empty())
+        for (const image::Mask& m : regions_in(o, picture).masks) regions.push_back(m.name);
+    page.commands = commands_of(o, picture, view::to_options(page.view), regions);
     if (!o.plan_map.empty()) page.plan = {base::read_text_file(o.plan_map, longest_map), recorded(o.plan_numbers)};
     page.version = std::string("luxpipe ") + LUXPIPE_VERSION;
     const std::string text = report::page_text(page);

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// See page_about.h.
+#include "report/page_about.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "base/printable.h"
+#include "report/table.h"
+
+namespace report {
+
+using base::escaped;
+
+std::string about_list(const Page& page) {
+    std::string out;
+    for (const auto& [name, text] : page.about)
+        out += fmt::format("<dt>{}</dt><dd>{}</dd>\n", escaped(name), escaped(text));
+    return out.empty() ? "" : "<dl class=\"about\">\n" + out + "</dl>\n";
+}
+
+std::string criteria_table(const Page& page) {
+    if (page.criteria.empty()) return "";
+    std::string out =
+        "<h2>Criteria</h2>\n<table class=\"numbers\"><thead><tr><th>Criterion</th><th></th><th></th><th>Value</th>"
+        "</tr></thead><tbody>\n";
+    for (const Criterion& c : page.criteria) {
+        double value = NAN, low = NAN, high = NAN;
+        for (const auto* numbers : {&page.numbers, &page.plan.numbers})
+            for (const Page::Number& n : *numbers)
+                if (n.name == c.metric) value = n.value, low = n.low, high = n.high;
+        const bool known = std::isfinite(low) && std::isfinite(high);
+        const std::string words = !std::isfinite(value) ? std::string("this report has no such number")
+                                  : known               ? fmt::format("{} ({} to {})", rounded(value, (high - low) / 2),
+                                                                      rounded(low, (high - low) / 2), rounded(high, (high - low) / 2))
+                                                        : rounded(value, NAN) + ", without an interval";
+        out += fmt::format("<tr><td>{}</td><td>{} at {} {:g}</td><td>{}</td><td>{}</td></tr>\n",
+                           escaped(c.name.empty() ? c.metric : c.name), escaped(c.metric), c.at_most ? "most" : "least",
+                           c.limit, judged(c, value, low, high), words);
+    }
+    return out + "</tbody></table>\n";
+}
+
+std::string variants_and_day(const Page& page) {
+    std::string out;
+    for (const Page::Variant& v : page.variants) {
+        out += fmt::format("<figure><img alt=\"{0}\" src=\"data:image/png;base64,{1}\"><figcaption><b>{0}</b>",
+                           escaped(v.name), base::base64(v.png));
+        for (const std::string& line : v.lines) out += "<br>" + escaped(line);
+        out += "</figcaption></figure>\n";
+    }
+    if (!out.empty())
+        out =
+            "<h2>Variants</h2>\n<p class=\"note\">Luminances in the scale above. NAME.d: the difference from what "
+            "edits "
+            "are compared with.</p>\n<div class=\"drawings variants\">\n" +
+            out + "</div>\n";
+    if (page.day.empty()) return out;
+    out += "<h2>The day</h2>\n<table class=\"numbers\"><tbody>\n";
+    for (const std::string& line : page.day) out += "<tr><td>" + escaped(line) + "</td></tr>\n";
+    return out + "</tbody></table>\n";
+}
+
+const char* compass_word(double degrees) {
+    static const char* const words[] = {"north", "north-east", "east", "south-east",
+                                        "south", "south-west", "west", "north-west"};
+    return words[size_t(std::lround(degrees / 45) % 8 + 8) % 8];
+}
+
+}  // namespace report
