@@ -97,7 +97,7 @@ coverage-sensors: all ## the same of grids of sensors: SCENES="1070-1075" SEEDS=
 	@python3 studies/coverage/sensors.py -bin "$(BUILD)/bin" -out out/sensors -scenes "$(or $(SCENES),1070-1075)" \
 		-seeds $(or $(SEEDS),200) -frames $(or $(FRAMES),256)
 
-year: all ## a year at four desks, one day a month: out/year/report.html (WEATHER=site.epw HOURS='Mo-Fr 8-18')
+year: all ## a year at four desks, one day a month: out/year/year.html (WEATHER=site.epw HOURS='Mo-Fr 8-18')
 	@$(MAKE) -C studies/year -j $(JOBS) BIN="$(abspath $(BUILD))/bin"
 
 certificate: all ## docs/certificate.md: what is older than lib is measured again (SIZE=128 FRAMES=17)

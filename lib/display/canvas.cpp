@@ -29,14 +29,31 @@ std::string spots_text(const Canvas& c) {
     if (c.spots.empty()) return "";
     std::string text = "<g id=\"points\" fill=\"none\" pointer-events=\"all\">\n";
     for (const Spot& spot : c.spots) {
+        if (!spot.link.empty()) text += "<a href=\"" + base::escaped(spot.link) + "\">";
         text += "<path d=\"";
         for (const Rectangle& r : spot.parts) text += path_of(r);
-        text += "\"><title>" + base::escaped(spot.text) + "</title></path>\n";
+        text += "\"><title>" + base::escaped(spot.text) + "</title></path>";
+        text += spot.link.empty() ? "\n" : "</a>\n";
     }
     text += "</g>\n";
     for (const int x : c.spots_again) text += fmt::format("<use href=\"#points\" x=\"{}\"/>\n", x);
     return text;
 }
+
+std::string png_of(const Canvas& c, const std::string& comment) {
+    Image8 image;
+    image.width = c.width, image.height = c.height;
+    image.rgb.assign(size_t(3) * size_t(c.width) * size_t(c.height), 255);
+    for (const auto& [colour, rectangles] : c.layers)
+        for (const Rectangle& r : rectangles) {
+            fill(image, r.x, r.y, r.x + r.width, r.y + r.height, colour);
+            if (r.hatched) hatch(image, r);
+        }
+    for (const CanvasText& w : c.words) draw_text(image, w.x, w.y + 2, w.text, 1, black);
+    return png_bytes(image, comment);
+}
+
+}  // namespace
 
 std::string svg_text(const Canvas& c) {
     std::string text = fmt::format(
@@ -61,21 +78,6 @@ std::string svg_text(const Canvas& c) {
         text += fmt::format("<text x=\"{}\" y=\"{}\">{}</text>\n", w.x, w.y + 10, base::escaped(w.text));
     return text + "</g>\n" + spots_text(c) + "</svg>\n";
 }
-
-std::string png_of(const Canvas& c, const std::string& comment) {
-    Image8 image;
-    image.width = c.width, image.height = c.height;
-    image.rgb.assign(size_t(3) * size_t(c.width) * size_t(c.height), 255);
-    for (const auto& [colour, rectangles] : c.layers)
-        for (const Rectangle& r : rectangles) {
-            fill(image, r.x, r.y, r.x + r.width, r.y + r.height, colour);
-            if (r.hatched) hatch(image, r);
-        }
-    for (const CanvasText& w : c.words) draw_text(image, w.x, w.y + 2, w.text, 1, black);
-    return png_bytes(image, comment);
-}
-
-}  // namespace
 
 std::vector<Rectangle>& Canvas::of(const Colour& colour) {
     for (auto& [c, rectangles] : layers)

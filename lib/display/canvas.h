@@ -22,6 +22,7 @@ struct CanvasText {
 struct Spot {
     std::vector<Rectangle> parts;
     std::string text;
+    std::string link = {};  // where a click leads; empty: nowhere
 };
 
 struct Canvas {
@@ -33,6 +34,7 @@ struct Canvas {
     std::vector<Rectangle>& of(const Colour& colour);  // a layer, made where there is none
 };
 
+std::string svg_text(const Canvas& canvas);
 // As SVG or PNG, by the ending of the name.  Throws Error (path) for another one.  comment: of a PNG.
 void write_canvas(const std::string& path, const Canvas& canvas, const std::string& comment);
 

@@ -36,6 +36,10 @@ void read_location(Lines& in, Weather& w) {
     w.latitude_deg = in.number(at, "the latitude", -90, 90);
     w.longitude_deg = -in.number(at + 1, "the longitude", -180, 180);
     w.meridian_deg = -15 * in.number(at + 2, "the time zone", -14, 14);
+    for (size_t k = 2; k + 2 < at; ++k)  // state and country, where there are any
+        if (const std::string& name = in.field(k, ""); name != "-" && !name.empty()) w.place += ", " + name;
+    w.source = in.field(at - 2, "the source");
+    if (w.source == "-") w.source.clear();
     if (last > fields) in.number(at + 3, "the elevation", -1000, 9999.9);
 }
 
@@ -77,6 +81,9 @@ void read_epw(Lines& in, Weather& w) {
         in.split(',');
         const std::string& name = in.field(0, "");
         if (base::begins_with(name, "HOLIDAYS/DAYLIGHT") && in.fields() > 3) read_summer_time(in, w);
+        if (const size_t comma = in.text().find(',');
+            base::begins_with(name, "COMMENTS") && comma < in.text().size() - 1)
+            w.comments.push_back(in.text().substr(comma + 1));
         if (base::begins_with(name, "DATA PERIODS")) parts = read_periods(in, w), header = false;
     }
     w.step_min = 60. / parts;

@@ -27,6 +27,8 @@ inline bool has_sun(long long year) { return year >= 1901 && year <= 2099; }
 
 struct Weather {
     std::string path, place;
+    std::string source;                                            // as the file states it; empty: it does not
+    std::vector<std::string> comments;                             // likewise
     double latitude_deg = 0, longitude_deg = 0, meridian_deg = 0;  // north; west, as RADIANCE has them
     double step_min = 60;                                          // length of an Hour
     int year = usual_year;                                         // of lines that state none

@@ -44,7 +44,8 @@ int days_apart(const std::vector<View>& views) {
     return least == days ? 1 : least;
 }
 
-void add_hours(Canvas& c, const View& view, const Rows& rows, int wide_days, int y0) {
+void add_hours(Canvas& c, const View& view, const Rows& rows, int wide_days, int y0,
+               const std::function<std::string(const Hour&)>& link) {
     const int width = wide_days * day_width, end = left + days * day_width;
     c.of(nothing).push_back({left, y0, days * day_width, rows.height()});
     for (const Hour& h : view.hours) {
@@ -54,6 +55,7 @@ void add_hours(Canvas& c, const View& view, const Rows& rows, int wide_days, int
                   x1 = std::min(end, x + width);
         const Rectangle r{x0, y0 + (int(h.time.hour) - rows.first) * hour_height, x1 - x0, hour_height, open};
         c.of(h.dark ? night : classes[class_of(h.dgp.value)]).push_back(r);
+        if (link) c.spots.push_back({{r}, words_of(h), link(h)});
     }
     for (int hour = rows.first; hour <= rows.last; hour += 2)
         c.words.push_back({8, y0 + (hour - rows.first) * hour_height - 5, fmt::format("{}", hour)});
@@ -91,22 +93,39 @@ void add_legend(Canvas& c, int wide_days, int y) {
         {x, y, "below months: hours above 0.40" + (wide_days > 1 ? fmt::format("; days {} apart", wide_days) : "")});
 }
 
-}  // namespace
-
-void write_plot(const std::string& path, const std::vector<View>& views, double alpha) {
+Canvas plot(const std::vector<View>& views, double alpha, const LinkOf& link) {
     Canvas c;
     c.width = left + days * day_width + 8;
     const int wide_days = days_apart(views);
-    for (const View& view : views) {
+    for (size_t k = 0; k < views.size(); ++k) {
+        const View& view = views[k];
         const Rows rows(view);
         c.words.push_back({left, c.height + 6, view.name.empty() ? "DGP, standard time" : view.name});
-        add_hours(c, view, rows, wide_days, c.height + top);
+        std::function<std::string(const Hour&)> of_view;
+        if (link) of_view = [&](const Hour& h) { return link(k, h); };
+        add_hours(c, view, rows, wide_days, c.height + top, of_view);
         add_months(c, view, alpha, c.height + top + rows.height());
         c.height += top + rows.height() + bottom;
     }
     add_legend(c, wide_days, c.height + 6);
     c.height += top;
-    display::write_canvas(path, c, "vcyear");
+    return c;
+}
+
+}  // namespace
+
+std::string words_of(const Hour& h) {
+    const std::string name = weather::name_of(h.time);
+    return weather::day_text(h.time.date) + fmt::format(", {}:{}: ", name.substr(5, 2), name.substr(7)) +
+           (h.dark ? "dark" : fmt::format("DGP {:.3f} ({:.3f} to {:.3f})", h.dgp.value, h.low(), h.high()));
+}
+
+void write_plot(const std::string& path, const std::vector<View>& views, double alpha) {
+    display::write_canvas(path, plot(views, alpha, {}), "vcyear");
+}
+
+std::string plot_text(const std::vector<View>& views, double alpha, const LinkOf& link) {
+    return display::svg_text(plot(views, alpha, link));
 }
 
 }  // namespace year

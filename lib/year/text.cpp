@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/run.h"
+#include "base/split.h"
 
 namespace year {
 namespace {
@@ -23,7 +24,9 @@ std::string class_text(const Verdict& v) {
     return fmt::format("undecided: {} to {}", class_name(v.best), class_name(v.worst));
 }
 
-std::string show(const Hour& h, const std::string& command) { return command + " -hours " + name_of(h.time); }
+std::string show(const Hour& h, const std::string& command) {
+    return with_option(command, "-hours " + name_of(h.time));
+}
 
 std::string hours_text(size_t hours, size_t to_come) {
     return to_come ? fmt::format("{} of {}", hours, hours + to_come) : std::to_string(hours);
@@ -57,6 +60,12 @@ void add_useful(report::Line& line, const Useful& u) {
 
 }  // namespace
 
+std::string with_option(const std::string& command, const std::string& option) {
+    const size_t first = command.find(' ');
+    if (first == std::string::npos || base::ends_with(command, "...")) return command + " " + option;
+    return command.substr(0, first + 1) + option + command.substr(first);
+}
+
 std::string percent_text(const Bounded& s) {
     std::string text = fmt::format("{:.1f} %", 100 * s.value);
     if (s.low < s.high) text += fmt::format(" ({:.1f} to {:.1f})", 100 * s.low, 100 * s.high);
@@ -74,10 +83,9 @@ std::string summary(const std::vector<View>& views, const std::vector<Verdict>& 
 
 std::string rest_line(size_t to_come, const std::string& command, const std::vector<std::string>& tables) {
     if (to_come == 0) return "";
-    std::string text = "the rest  " + command;
-    for (const std::string& table : tables)
-        text += " " + base::command_line({"-after", table == "-" ? "hours.tsv" : table});
-    return text + "\n";
+    std::vector<std::string> words;
+    for (const std::string& table : tables) words.insert(words.end(), {"-after", table == "-" ? "hours.tsv" : table});
+    return "the rest  " + with_option(command, base::command_line(words)) + "\n";
 }
 
 report::Line line_of(const Verdict& v) {

@@ -11,8 +11,11 @@ namespace year {
 
 std::string percent_text(const Bounded& share);  // "62.1 % (60.2 to 64.0)"
 
+// The command with an option more: behind its first word, since options come before scenes; at the end of "ptrace ...".
+std::string with_option(const std::string& command, const std::string& option);
+
 // Five lines a view, under its name where it has one, and a last one for several.  command: what shows a view's hour
-// once " -hours NAME" stands behind it.
+// once it has -hours NAME.
 std::string summary(const std::vector<View>& views, const std::vector<Verdict>& verdicts, const std::string& command);
 
 // Of a year whose hours are not all there: the command that renders the others.  Else empty.

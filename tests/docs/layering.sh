@@ -19,7 +19,7 @@ lib/glare: base view image
 lib/evalglare: base view glare
 lib/report: base view image uncertainty glare
 lib/region: base view image display
-lib/year: base image display uncertainty report weather
+lib/year: base view image display uncertainty report weather
 lib/bvh: base kernels
 lib/flatten: base cal scene bvh kernels
 lib/device: base flatten bvh kernels

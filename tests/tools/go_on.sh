@@ -27,7 +27,7 @@ check 'a year that was cut off says so, and goes on to what the whole one is' '
     grep -qx "hours     12, 3 dark.*" cut; grep -q "^hours     [4-9] of 12, " cut
     grep -q "EN 17037 .*, of these hours alone$" cut
     [ "$(tail -n 1 cut)" = "the rest  ptrace ... -after cut.tsv" ]
-    vcyear -command "ptrace -vf a.vf" cut.tsv | tail -n 1 | grep -qx "the rest  ptrace -vf a.vf -after cut.tsv"
+    vcyear -command "ptrace -vf a.vf" cut.tsv | tail -n 1 | grep -qx "the rest  ptrace -after cut.tsv -vf a.vf"
     vcyear -format tsv cut.tsv | awk -F "\t" "NR == 1 { exit \$NF != \"to_come\" }"
     frames -views two.vf -after cut.tsv > rest; grep -q "^ptrace: 1[6-9] of 24 hours are there$" said
     table < rest >> cut.tsv; vcyear cut.tsv | cmp - whole'

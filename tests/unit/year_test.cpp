@@ -301,7 +301,7 @@ TEST_CASE("five lines") {
           "above     0.35: 13 (13 to 14)   0.40: 8 (8 to 9)   0.45: 3 (3 to 4)\n"
           "DGPe5     0.470 (0.465 to 0.475): EN 17037 none\n"
           "autonomy  60.0 % (55.0 to 60.0) of the hours are not above 0.40\n"
-          "worst     0.480: ptrace room.rad -hours 0628_1430\n");
+          "worst     0.480: ptrace -hours 0628_1430 room.rad\n");
     CHECK(worst_lines(views, 2, "p") == "0.480\t-\tp -hours 0628_1430\n0.470\t-\tp -hours 0627_1430\n");
 }
 

@@ -48,7 +48,7 @@ std::optional<int> parse_options(int argc, char** argv, Options& o) {
     t.add("-view name", "Only this view", o.view).default_text("all");
     t.add("-months", "A row for each month", o.months);
     t.add("-worst n", "Print the n worst hours of each view, with a command that shows each", o.worst).at_least(0);
-    t.add("-command words", "Command that shows a view's hours, in front of -hours", o.command);
+    t.add("-command words", "Command that shows a view's hours, without -hours", o.command);
     t.add("-next", "Print the hours to render again so that the class is decided, with their frames and size", o.next);
     t.group("Shades");
     t.add("-shades rules", "Which state shades have in each hour: rules, or a file of them", o.shades);
@@ -80,6 +80,13 @@ std::optional<int> parse_options(int argc, char** argv, Options& o) {
     t.group("Files");
     t.add("-plot file", "Write a heat map of days by hours, or maps of sensors, .svg or .png", o.plot);
     t.add("-points file", "The points of a grid that ptrace had, for -plot", o.points);
+    t.add("-report file", "Write a page for people: verdicts, plan, pictures, days by hours, weather and method",
+          o.report);
+    t.add("-title words", "Title of the report", o.title).default_text("the place of -wea");
+    t.add("-views file", "View file with the views of the table, for the plan of the report; may be repeated", o.eyes);
+    t.add("-plan picture", "Plan of the report: a picture of a parallel view from above", o.plan);
+    t.add("-pictures file", "Picture of an hour for the report (ptaccum -o %s.exr); may be repeated", o.pictures);
+    t.add("-wea file", "Weather file that the report names, with its source and its comments", o.weather);
     t.add("-honeybee folder", "Write results as honeybee-radiance reads them", o.honeybee);
     t.group("Messages");
     t.add("-w[+-]", "Warnings", o.warnings);
@@ -103,11 +110,20 @@ std::optional<int> parse_options(int argc, char** argv, Options& o) {
     if (o.leed && (o.format || o.each)) base::fail("-leed", "is lines of text, without -format and -each");
     if (o.rooflight && o.en17037.empty()) base::fail("-rooflight", "is of -en17037");
     if (!o.plot.empty()) image::require_writable_ending(o.plot, {".svg", ".png"});
+    if (!o.report.empty()) image::require_writable_ending(o.report, {".html"});
+    const std::pair<const char*, bool> of_report[] = {{"-title", !o.title.empty()},
+                                                      {"-views", !o.eyes.empty()},
+                                                      {"-plan", !o.plan.empty()},
+                                                      {"-pictures", !o.pictures.empty()},
+                                                      {"-wea", !o.weather.empty()}};
+    for (const auto& [name, given] : of_report)
+        if (given && o.report.empty()) base::fail(name, "is of a report (-report)");
     std::vector<std::string> inputs = o.tables;
-    for (const auto& more : {o.closed, o.direct, o.points, o.by}) inputs.insert(inputs.end(), more.begin(), more.end());
-    for (const std::string& file : {o.en17037, o.sun_steps, o.shades, o.overcast})
+    for (const auto& more : {o.closed, o.direct, o.points, o.by, o.eyes, o.pictures})
+        inputs.insert(inputs.end(), more.begin(), more.end());
+    for (const std::string& file : {o.en17037, o.sun_steps, o.shades, o.overcast, o.plan, o.weather})
         if (!file.empty()) inputs.push_back(file);
-    base::refuse_to_overwrite({o.plot, o.moves}, inputs);
+    base::refuse_to_overwrite({o.plot, o.moves, o.report}, inputs);
     if (!o.warnings) base::set_warning_sink({});
     return std::nullopt;
 }

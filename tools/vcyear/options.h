@@ -28,8 +28,11 @@ struct Options {
     bool rooflight = false;                     // -rooflight: its openings are horizontal
     bool each = false;                          // -each: a row a sensor
     std::string view;                           // -view: this one alone
-    std::string command = "ptrace ...";         // -command: in front of -hours
+    std::string command = "ptrace ...";         // -command: without -hours
     std::string plot, honeybee;                 // -plot, -honeybee
+    std::string report, title;                  // -report, -title
+    std::vector<std::string> eyes, pictures;    // -views, -pictures: of the report
+    std::string plan, weather;                  // -plan, -wea: likewise
     bool next = false;                          // -next
     int worst = 0;                              // -worst
     std::optional<report::TableFormat> format;  // -format; none: text

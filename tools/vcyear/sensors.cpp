@@ -29,8 +29,11 @@ std::vector<year::Grid> direct_of(const std::vector<year::Grid>& read, const std
 }
 
 void refuse_options_of_views(const Options& o) {
-    const std::pair<const char*, bool> of_views[] = {
-        {"-next", o.next}, {"-worst", o.worst > 0}, {"-view", !o.view.empty()}, {"-closed", !o.closed.empty()}};
+    const std::pair<const char*, bool> of_views[] = {{"-next", o.next},
+                                                     {"-worst", o.worst > 0},
+                                                     {"-view", !o.view.empty()},
+                                                     {"-closed", !o.closed.empty()},
+                                                     {"-report", !o.report.empty()}};
     for (const auto& [name, given] : of_views)
         if (given) base::fail(name, "is of views, not of sensors");
 }
