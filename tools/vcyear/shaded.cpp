@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "image/stream.h"
 #include "image/stream_parts.h"
 #include "year/shades.h"
 
