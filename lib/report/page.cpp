@@ -196,7 +196,8 @@ std::string view_words(const Page& page) {
     const base::Vec3 d = base::unit(v.vd);
     const double north = std::atan2(d.x, d.y) / base::degree;
     return fmt::format(
-        "{}, {:g}° by {:g}°, {} by {} pixels; eye at {:g}, {:g}, {:g}; looks {}, {:.0f}° from north (the y axis) over "
+        "{}, {:g}° by {:g}°, {} by {} pixels; eye at {:g}, {:g}, {:g}; looks {}, {:.0f}° from north (the y axis) "
+        "over "
         "east, {}",
         type, v.vh, v.vv, page.width, page.height, v.vp.x, v.vp.y, v.vp.z, compass_word(north),
         north < 0 ? north + 360 : north, side(std::asin(std::clamp(d.z, -1., 1.)) / base::degree, "up", "down"));

@@ -31,10 +31,10 @@ std::string criteria_table(const Page& page) {
             for (const Page::Number& n : *numbers)
                 if (n.name == c.metric) value = n.value, low = n.low, high = n.high;
         const bool known = std::isfinite(low) && std::isfinite(high);
-        const std::string words = !std::isfinite(value) ? std::string("this report has no such number")
-                                  : known               ? fmt::format("{} ({} to {})", rounded(value, (high - low) / 2),
-                                                                      rounded(low, (high - low) / 2), rounded(high, (high - low) / 2))
-                                                        : rounded(value, NAN) + ", without an interval";
+        const auto shown = [half = (high - low) / 2](double v) { return rounded(v, half); };
+        std::string words = "this report has no such number";
+        if (std::isfinite(value) && known) words = shown(value) + " (" + shown(low) + " to " + shown(high) + ")";
+        else if (std::isfinite(value)) words = rounded(value, NAN) + ", without an interval";
         out += fmt::format("<tr><td>{}</td><td>{} at {} {:g}</td><td>{}</td><td>{}</td></tr>\n",
                            escaped(c.name.empty() ? c.metric : c.name), escaped(c.metric), c.at_most ? "most" : "least",
                            c.limit, judged(c, value, low, high), words);

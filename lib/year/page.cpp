@@ -24,12 +24,14 @@ using base::escaped;
 constexpr size_t few_days = 200;  // of fewer ones the class is told to be theirs
 constexpr const char* style = R"(
 .class0 { color: #1d7a4c; } .class1 { color: #8a7200; } .class2 { color: #c05a00; } .class3 { color: #aa1432; }
-.verdicts td { font-variant-numeric: tabular-nums; white-space: normal; } .verdicts small { color: var(--soft); display: block; }
+.verdicts td { font-variant-numeric: tabular-nums; white-space: normal; }
+.verdicts small { color: var(--soft); display: block; }
 .verdicts td:nth-child(2) { font-weight: 600; } .verdicts td:first-child, .verdicts small { white-space: nowrap; }
 .room { max-width: 80mm; } .room .arrow { fill: currentColor; } .room path { stroke: currentColor; }
 .room text { paint-order: stroke; stroke: #fff; stroke-width: .2em; font-weight: 600; text-anchor: start; }
 .beside { display: flex; gap: 14px; align-items: flex-start; }
-.hours { display: grid; grid-template-columns: repeat(auto-fill, minmax(38mm, 1fr)); gap: 8px; } .hours img { width: 100%; }
+.hours { display: grid; grid-template-columns: repeat(auto-fill, minmax(38mm, 1fr)); gap: 8px; }
+.hours img { width: 100%; }
 .map svg { height: auto; } .map svg text { text-anchor: start; } .map a path { cursor: pointer; }
 .map a:hover path, .map a:focus path { fill: #fffa; stroke: #000; }
 .command span { display: none; } .command span:target { display: inline; font-weight: 600; }

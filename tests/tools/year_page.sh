@@ -28,11 +28,13 @@ check 'it says of how many hours and days it is, of which place and weather, and
 check 'every cell leads to a picture or a command' '
     grep -o "<a href=.#[^\"]*" year.html | sed "s/.*#//" | sort > from; [ "$(wc -l < from)" = 24 ]
     grep -oE "<(figure|span) id=.[^\"]*" year.html | sed "s/.*\"//" | sort | cmp - from
-    grep -o "<figure id=.[^\"]*" year.html | sed "s/.*\"//" | sort | paste -sd " " | grep -qx "v0_1221_1230 v1_1221_1230"'
+    grep -o "<figure id=.[^\"]*" year.html | sed "s/.*\"//" | sort | paste -sd " " |
+        grep -qx "v0_1221_1230 v1_1221_1230"'
 check 'the command of a cell runs in another folder, to the hour that was counted' '
     python3 -c "import html, re
 page = open(\"year.html\").read()
-text = re.search(r\"<p class=.command.>.*?<code>(.*?)<span.*?id=.v0_0121_0930.>(.*?)</span>.*</span>( .*?)</code>\", page, re.S)
+text = re.search(r\"<p class=.command.>.*?<code>(.*?)<span.*?id=.v0_0121_0930.>(.*?)</span>.*</span>( .*?)</code>\",
+                 page, re.S)
 print(html.unescape(\"\".join(text.groups())))" > command
     mkdir other; cp *.* other; (cd other; bash ../command 2> said)
     vcmetrics -W- -metrics Ev other/window_0121_0930.exr | tail -n 1 | cut -f 4 > is
