@@ -114,12 +114,12 @@ std::string commands(const Page& page) {
     return out;
 }
 
-void add(std::string& list, const char* name, const std::string& html) {
+void add_fact(std::string& list, const char* name, const std::string& html) {
     if (!html.empty()) list += fmt::format("<dt>{}</dt><dd>{}</dd>\n", name, html);
 }
 
 // Which hours count, and what the file has besides.
-std::string counted(const Page& page) {
+std::string counted_hours(const Page& page) {
     const View& view = page.views[0];
     const Verdict& v = page.verdicts[0];
     double first = 24, last = 0;
@@ -163,9 +163,11 @@ std::string lines(const std::vector<std::string>& all) {
 
 std::string origin(const Page& page) {
     std::string list;
-    if (page.weather) add(list, "Place", place_text(*page.weather)), add(list, "Weather", weather_text(*page.weather));
-    add(list, "Hours", counted(page));
-    add(list, "Method",
+    if (page.weather)
+        add_fact(list, "Place", place_text(*page.weather)), add_fact(list, "Weather", weather_text(*page.weather));
+    add_fact(list, "Hours", counted_hours(page));
+    add_fact(
+        list, "Method",
         fmt::format(
             "DGPf of each hour with a sun and a sky of its own (Perez) from the file's irradiances, nothing "
             "interpolated; {}. Intervals of {:g} % cover noise and pixels, not the model, the weather, or how people "
@@ -173,15 +175,15 @@ std::string origin(const Page& page) {
             page.views[0].shared ? "hours share one set of paths and are counted in half-samples"
                                  : "each hour has paths of its own",
             100 * page.certainty));
-    add(list, "Model", lines({page.command}));
+    add_fact(list, "Model", lines({page.command}));
     std::vector<std::string> made;
     for (const image::Picture& p : page.pictures)
         for (const std::string& line : p.header.lines)
             if (line.find("ptrace ") != std::string::npos && std::find(made.begin(), made.end(), line) == made.end())
                 made.push_back(line);
-    add(list, "Pictures", lines(made));
-    add(list, "Files", lines(page.files));
-    add(list, "Program", escaped(page.version));
+    add_fact(list, "Pictures", lines(made));
+    add_fact(list, "Files", lines(page.files));
+    add_fact(list, "Program", escaped(page.version));
     return "<h2>What it rests on</h2>\n<dl>\n" + list + "</dl>\n";
 }
 

@@ -28,7 +28,7 @@ std::string show(const Hour& h, const std::string& command) {
     return with_option(command, "-hours " + name_of(h.time));
 }
 
-std::string hours_text(size_t hours, size_t to_come) {
+std::string hours_so_far(size_t hours, size_t to_come) {
     return to_come ? fmt::format("{} of {}", hours, hours + to_come) : std::to_string(hours);
 }
 
@@ -37,7 +37,7 @@ std::string missing_text(size_t hours) { return hours ? fmt::format(", {} withou
 
 std::string five_lines(const View& view, const Verdict& v, const std::string& command) {
     std::string text = v.view.empty() ? "" : v.view + "\n";
-    text += fmt::format("hours     {}, {} dark, {} undecided", hours_text(v.hours, v.to_come), v.dark, v.undecided) +
+    text += fmt::format("hours     {}, {} dark, {} undecided", hours_so_far(v.hours, v.to_come), v.dark, v.undecided) +
             missing_text(v.missing);
     text += fmt::format("above     0.35: {}   0.40: {}   0.45: {}\n", count_text(v.above[0]), count_text(v.above[1]),
                         count_text(v.above[2]));
@@ -111,7 +111,7 @@ std::string worst_lines(const std::vector<View>& views, size_t n, const std::str
 }
 
 std::string summary(const GridYear& y, const Goals& g) {
-    std::string text = fmt::format("{}\nhours     {}, {} dark, {} sensors", y.name, hours_text(y.hours, y.to_come),
+    std::string text = fmt::format("{}\nhours     {}, {} dark, {} sensors", y.name, hours_so_far(y.hours, y.to_come),
                                    y.dark, y.sensors.size()) +
                        missing_text(y.missing);
     text += fmt::format("DA        {} of the hours have {:g} lx, mean of the sensors\n", percent_text(y.autonomy),

@@ -200,14 +200,13 @@ void add_drawings(const image::Picture& picture, Page& page) {
         page.legend.ticks.emplace_back(scale.place(tick), fmt::format("{:g}", tick));
 }
 
-std::vector<std::string> lines_of(const std::string& file) {
+std::vector<std::string> lines_in(const std::string& file) {
     std::vector<std::string> out;
     std::istringstream in(base::read_text_file(file, longest_map));
     for (std::string line; std::getline(in, line);) out.push_back(line);
     return out;
 }
 
-// In the scale of the picture.
 void add_variants(const Options& o, const image::Picture& picture, Page& page) {
     display::ToneOptions colours;
     colours.kind = display::ToneOptions::Kind::falsecolor, colours.legend = false;
@@ -217,9 +216,9 @@ void add_variants(const Options& o, const image::Picture& picture, Page& page) {
         Grid grid = reduced(p.rgb, p.width, p.height, 3, factor(p.width, p.height, most_pixels / 2));
         image::Picture small;
         small.width = grid.width, small.height = grid.height, small.rgb = std::move(grid.values);
-        page.variants.push_back({v.name, display::png_bytes(display::tone(small, colours), ""), lines_of(v.lines)});
+        page.variants.push_back({v.name, display::png_bytes(display::tone(small, colours), ""), lines_in(v.lines)});
     }
-    if (!o.day.empty()) page.day = lines_of(o.day);
+    if (!o.day.empty()) page.day = lines_in(o.day);
 }
 
 // The lines that ptrace -wea writes of an hour, in words.

@@ -34,6 +34,26 @@ void declare_goals(base::OptionTable& t, year::Goals& g) {
            [&g] { return fmt::format("{:g} {:g}", g.sun_lux, g.sun_hours); }});
 }
 
+void declare_report(base::OptionTable& t, Options& o) {
+    t.add("-report file", "Write a page for people: verdicts, plan, pictures, days by hours, weather and method",
+          o.report);
+    t.add("-title words", "Title of the report", o.title).default_text("the place of -wea");
+    t.add("-views file", "View file with the views of the table, for the plan of the report; may be repeated", o.eyes);
+    t.add("-plan picture", "Plan of the report: a picture of a parallel view from above", o.plan);
+    t.add("-pictures file", "Picture of an hour for the report (ptaccum -o %s.exr); may be repeated", o.pictures);
+    t.add("-wea file", "Weather file that the report names, with its source and its comments", o.weather);
+}
+
+void check_report(const Options& o) {
+    const std::pair<const char*, bool> of_report[] = {{"-title", !o.title.empty()},
+                                                      {"-views", !o.eyes.empty()},
+                                                      {"-plan", !o.plan.empty()},
+                                                      {"-pictures", !o.pictures.empty()},
+                                                      {"-wea", !o.weather.empty()}};
+    for (const auto& [name, given] : of_report)
+        if (given && o.report.empty()) base::fail(name, "is of a report (-report)");
+}
+
 }  // namespace
 
 std::optional<int> parse_options(int argc, char** argv, Options& o) {
@@ -80,13 +100,7 @@ std::optional<int> parse_options(int argc, char** argv, Options& o) {
     t.group("Files");
     t.add("-plot file", "Write a heat map of days by hours, or maps of sensors, .svg or .png", o.plot);
     t.add("-points file", "The points of a grid that ptrace had, for -plot", o.points);
-    t.add("-report file", "Write a page for people: verdicts, plan, pictures, days by hours, weather and method",
-          o.report);
-    t.add("-title words", "Title of the report", o.title).default_text("the place of -wea");
-    t.add("-views file", "View file with the views of the table, for the plan of the report; may be repeated", o.eyes);
-    t.add("-plan picture", "Plan of the report: a picture of a parallel view from above", o.plan);
-    t.add("-pictures file", "Picture of an hour for the report (ptaccum -o %s.exr); may be repeated", o.pictures);
-    t.add("-wea file", "Weather file that the report names, with its source and its comments", o.weather);
+    declare_report(t, o);
     t.add("-honeybee folder", "Write results as honeybee-radiance reads them", o.honeybee);
     t.group("Messages");
     t.add("-w[+-]", "Warnings", o.warnings);
@@ -111,13 +125,7 @@ std::optional<int> parse_options(int argc, char** argv, Options& o) {
     if (o.rooflight && o.en17037.empty()) base::fail("-rooflight", "is of -en17037");
     if (!o.plot.empty()) image::require_writable_ending(o.plot, {".svg", ".png"});
     if (!o.report.empty()) image::require_writable_ending(o.report, {".html"});
-    const std::pair<const char*, bool> of_report[] = {{"-title", !o.title.empty()},
-                                                      {"-views", !o.eyes.empty()},
-                                                      {"-plan", !o.plan.empty()},
-                                                      {"-pictures", !o.pictures.empty()},
-                                                      {"-wea", !o.weather.empty()}};
-    for (const auto& [name, given] : of_report)
-        if (given && o.report.empty()) base::fail(name, "is of a report (-report)");
+    check_report(o);
     std::vector<std::string> inputs = o.tables;
     for (const auto& more : {o.closed, o.direct, o.points, o.by, o.eyes, o.pictures})
         inputs.insert(inputs.end(), more.begin(), more.end());
