@@ -122,3 +122,10 @@ std::vector<std::string> commands_of(const Options& o, const image::Picture& pic
     script.insert(script.end(), commands.begin(), commands.end());
     return script;
 }
+
+std::vector<std::string> lines_in(const std::string& file) {
+    std::vector<std::string> out;
+    std::istringstream in(base::read_text_file(file, size_t(1) << 24));
+    for (std::string line; std::getline(in, line);) out.push_back(line);
+    return out;
+}

@@ -11,3 +11,6 @@
 // regions: names of those that the picture has.
 std::vector<std::string> commands_of(const Options& options, const image::Picture& picture, const std::string& view,
                                      const std::vector<std::string>& regions);
+
+// The lines of a text file.
+std::vector<std::string> lines_in(const std::string& file);

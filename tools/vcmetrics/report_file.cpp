@@ -179,10 +179,15 @@ void add_sources(const Options& o, const image::Picture& picture, const RunState
                                            std::fmod(std::atan2(s.dir.x, s.dir.y) / base::degree + 360, 360)));
 }
 
-void add_drawings(const image::Picture& picture, Page& page) {
+display::ToneOptions colours_of(const image::Picture& picture) {
     display::ToneOptions colours;
     colours.kind = display::ToneOptions::Kind::falsecolor, colours.legend = false;
     colours.max_cdm2 = display::falsecolor_scale(picture, colours).top;
+    return colours;
+}
+
+void add_drawings(const image::Picture& picture, Page& page) {
+    const display::ToneOptions colours = colours_of(picture);
     for (int most = most_pixels; most >= fewest_pixels; most /= 2) {
         Grid grid = reduced(picture.rgb, picture.width, picture.height, 3, factor(picture.width, picture.height, most));
         image::Picture small;
@@ -200,17 +205,8 @@ void add_drawings(const image::Picture& picture, Page& page) {
         page.legend.ticks.emplace_back(scale.place(tick), fmt::format("{:g}", tick));
 }
 
-std::vector<std::string> lines_in(const std::string& file) {
-    std::vector<std::string> out;
-    std::istringstream in(base::read_text_file(file, longest_map));
-    for (std::string line; std::getline(in, line);) out.push_back(line);
-    return out;
-}
-
 void add_variants(const Options& o, const image::Picture& picture, Page& page) {
-    display::ToneOptions colours;
-    colours.kind = display::ToneOptions::Kind::falsecolor, colours.legend = false;
-    colours.max_cdm2 = display::falsecolor_scale(picture, colours).top;
+    const display::ToneOptions colours = colours_of(picture);
     for (const Options::Variant& v : o.variants) {
         const image::Picture p = image::read_file(v.picture);
         Grid grid = reduced(p.rgb, p.width, p.height, 3, factor(p.width, p.height, most_pixels / 2));
