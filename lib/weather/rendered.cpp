@@ -3,7 +3,7 @@
 #include "weather/rendered.h"
 
 #include <algorithm>
-#include <optional>
+#include <cstdint>
 
 #include "weather/lines.h"
 
@@ -12,10 +12,11 @@ namespace {
 
 // Columns of the line of names.
 struct Names {
-    size_t count = 0;
-    std::optional<size_t> sky, view, state, point;
+    static constexpr size_t none = SIZE_MAX;
+    size_t count = 0, sky = none, view = none, state = none, point = none;
 
-    explicit Names(const Lines& in) : count(in.fields()) {
+    void read(const Lines& in) {
+        count = in.fields();
         for (size_t i = 0; i < count; ++i) {
             const std::string& name = in.field(i, "a name");
             if (name == "sky") sky = i;
@@ -23,7 +24,7 @@ struct Names {
             if (name == "state") state = i;
             if (name == "point" || name == "E") point = i;
         }
-        if (!sky) in.fail("has no column sky with the names of hours (vcmetrics, of ptrace -wea)");
+        if (sky == none) in.fail("has no column sky with the names of hours (vcmetrics, of ptrace -wea)");
     }
 };
 
@@ -31,24 +32,24 @@ struct Names {
 
 void read_rendered(const std::string& path, Rendered& all) {
     Lines in(path);
-    std::optional<Names> names;
+    Names names;
     std::string header;
     std::map<Rendered::key_type, std::map<std::string, size_t>> rows;  // and by hour
     size_t most = 1;
     while (in.next()) {
         if (in.text()[0] == '#' || in.text() == header) continue;
         in.split(in.text().find('\t') != std::string::npos ? '\t' : ',');
-        if (!names) {
-            names.emplace(in);
+        if (names.count == 0) {
+            names.read(in);
             header = in.text();
             continue;
         }
-        if (in.fields() != names->count) in.fail("has fewer columns than the first line: the table was cut off in it");
-        const std::string& sky = in.field(*names->sky, "the hour");
+        if (in.fields() != names.count) in.fail("has fewer columns than the first line: the table was cut off in it");
+        const std::string& sky = in.field(names.sky, "the hour");
         if (!parse_name(sky)) in.fail("\"" + sky + "\" is not the name of an hour (0621_1430)");
-        const auto name = [&](const std::optional<size_t>& at) { return at ? in.field(*at, "a name") : ""; };
-        const size_t n = ++rows[{name(names->view), name(names->state)}][sky];
-        if (names->point) most = std::max(most, n);
+        const auto name = [&](size_t at) { return at == Names::none ? "" : in.field(at, "a name"); };
+        const size_t n = ++rows[{name(names.view), name(names.state)}][sky];
+        if (names.point != Names::none) most = std::max(most, n);
     }
     for (const auto& [key, hours] : rows)
         for (const auto& [hour, n] : hours)

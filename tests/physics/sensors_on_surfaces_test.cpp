@@ -155,7 +155,7 @@ TEST_CASE("meshes and instances") {
     const std::string obj = folder.holding("m.obj", "v -2 -1 0\nv 2 -1 0\nv 2 1 0\nv -2 1 0\nf 1 2 3\nf 1 3 4\n");
     const std::string rad = folder.holding("i.rad", "void polygon r 0 0 12 -2 -1 0 2 -1 0 2 1 0 -2 1 0\n");
     for (const double size : sizes)
-        for (const std::string& what : {"mesh m ", "instance i "}) {
+        for (const std::string what : {"mesh m ", "instance i "}) {
             CAPTURE(size);
             CAPTURE(what);
             const double rx = between(-180, 180), rz = between(-180, 180), a = rx * pi / 180, b = rz * pi / 180;
