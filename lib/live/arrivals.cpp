@@ -196,7 +196,8 @@ void take(State& s, Effects&, const Came& came) {
 void take(State& s, Effects&, const Measured& m) {
     if (m.which == Which::day) return take_of_day(s, m);
     s.numbers = {m.row.edit(), numbers_of(m.row)};
-    if (m.row.of("settled") > 0) s.rest.settled = m.row.edit();
+    if (m.row.of("settled") > 0 && std::pair(m.row.edit(), m.row.frame()) > s.rest.measured)
+        s.rest.settled = m.row.edit();
     for (Result& r : s.results)
         if (r.edit == s.numbers.first) r.numbers = s.numbers.second;
 }
@@ -226,6 +227,7 @@ void take(State& s, Effects& out, const FileIs& is) {
     const std::string words = file.path + ": changed by another program";
     if (file.kind == TextFile::Kind::regions) {
         be_gone(s, Cause::regions);
+        measure_again(s);
         if (first) s.now.texts[is.n] = text;
         else if (s.now.texts[is.n] != text) change(s, words, [&](Model& m) { m.texts[is.n] = text; });
         return;

@@ -95,6 +95,7 @@ void write_regions(State& s, Effects& out, size_t n) {
     file.text = s.now.texts[n];
     file.tag = base::hash_of(*file.text);
     be_gone(s, Message::Cause::regions);
+    measure_again(s);
 }
 
 Answer undo_or_redo(State& s, Effects& out, const Request& r, bool again) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The picture's programs rest when its numbers are settled and it has frames enough to be looked at, and when no window
-// has looked for long.  An edit ends that by itself, a window that comes, and the page's "go".
+// has looked for long.  An edit ends that by itself; other regions, which need another picture, a window that comes,
+// and the page's "go" do, too.
 #include "live/steps.h"
 
 namespace live {
@@ -16,6 +17,11 @@ bool is_settled(const State& s) {
 }
 
 }  // namespace
+
+void measure_again(State& s) {
+    if (s.newest) s.rest.measured = {s.newest->header.edit.value_or(0), s.newest->header.frames.value_or(0)};
+    s.rest.settled = -1;
+}
 
 void look_at_rest(State& s, Effects& out, bool watched) {
     const Pipe& p = s.pipe(Which::picture);

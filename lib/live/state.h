@@ -144,10 +144,11 @@ struct State {
     std::optional<double> preview;   // small pictures are asked for: last at
     bool paused = false;
     struct {
-        bool now = false;      // the picture's programs wait, and end that with the next edit
-        double seen = -1;      // when a window last looked; none has yet: negative
-        int64_t settled = -1;  // the edit whose numbers are
-        int64_t goes_on = -1;  // the edit that the page wants to go on
+        bool now = false;                              // the picture's programs wait, and end that with the next edit
+        double seen = -1;                              // when a window last looked; none has yet: negative
+        int64_t settled = -1;                          // the edit whose numbers are
+        int64_t goes_on = -1;                          // the edit that the page wants to go on
+        std::pair<int64_t, int64_t> measured{-1, -1};  // edit and frame, up to which old regions may have been measured
     } rest;
     std::shared_ptr<const image::Picture> picture, newest, before;  // the newest; no preview; of the edit before that
     std::vector<std::pair<int64_t, std::string>> edits;             // number and words of what has been rendered

@@ -34,6 +34,7 @@ std::string json_of_first(const State& s);
 void look_at_plan(State& s, Effects& out);
 std::string json_of_plan(const State& s);
 void look_at_rest(State& s, Effects& out, bool watched);
+void measure_again(State& s);  // there are other regions
 
 std::string one_line(std::string words);
 

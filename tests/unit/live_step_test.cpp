@@ -592,6 +592,25 @@ TEST_CASE("the picture rests when it is settled and good enough, or nobody looks
     CHECK(page.take() == "go\n");
 }
 
+TEST_CASE("regions that are drawn while the picture rests are measured") {
+    Page page({"a.rad"}, "x.regions");
+    Tracer t = started(page);
+    const auto settled = [&](double frame) {
+        page.happen(live::Measured{Which::picture, {{{"frame", frame}, {"edit", 0}, {"settled", 1}}}});
+        page.happen(live::Tick{true});
+    };
+    page.come(t.picture(256));
+    settled(20);
+    CHECK(page.take() == "pause\n");
+    page.disk(1, "desk circle view 30\n");
+    page.happen(live::Tick{true});
+    CHECK(page.take() == "go\n");
+    settled(256);  // may have been on its way, without them
+    CHECK(page.take().empty());
+    settled(300);
+    CHECK(page.take() == "pause\n");
+}
+
 TEST_CASE("an hour of the day has the numbers of its own edit") {
     Page page({"sky.rad"});
     page.disk(0, "!gensky 12 21 14 +s\n");
