@@ -73,6 +73,11 @@ check '-go-on: settled from the line on at which -until would stop, anew in each
     [ $(wc -l < t) = 181 ]; column settled < t | uniq -c | awk "{ print \$1, \$2 }" > runs
     printf "$n 0\n$((90 - n)) 1\n$n 0\n$((90 - n)) 1\n" | diff - runs
     sed "s/Ev .*//" w > w2; printf "vcmetrics: edit %s: settled after $n frames: \n" 0 1 | diff - w2'
+check 'nothing is settled while the regions are being written' '
+    { echo; cat office.regions; } > busy.regions; n=$(tail -1 alone | cut -f 1)
+    while [ ! -e enough ]; do printf " " 1<> busy.regions; done & writer=$!
+    edit "0 start" long | ptaccum | vcmetrics -metrics Ev -regions busy.regions -until "Ev 5%" -go-on 2> w > busy
+    touch enough; wait $writer; [ $(column settled < busy | grep -c 0) -gt $n ]'
 check_error '-go-on needs a rule' 1 '^vcmetrics: -go-on: ' 'vcmetrics -go-on < light.sums'
 
 # The region file changes between the pictures of edit 0 and those of edit 1, which come when its lines are out.

@@ -136,6 +136,6 @@ std::pair<RunState, std::optional<Row>> step(const Options& o, RunState run, ima
     const MeasuredSum sum{row.frame, row.seconds, run.sum.looked ? &run.sum.look : nullptr, bool(lum.moments),
                           lum.width, lum.height,  p.header.last_frame == row.frame};
     std::tie(run.progress, row.verdict) = decide(o, rule_state(plan.rule, sum), std::move(run.progress), sum);
-    row.settled = run.progress.held;
+    row.settled = run.progress.held && !plan.waits;
     return {std::move(run), std::move(row)};
 }

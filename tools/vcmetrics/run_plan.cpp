@@ -149,8 +149,10 @@ void require_pairs(const RunPlan& plan) {
 RunPlan with_present_regions(const Options& o, RunPlan plan) {
     std::error_code absent;
     const base::FileStamp now = base::stamp_of(o.regions_file);
-    if (!std::filesystem::is_regular_file(o.regions_file, absent)) return plan;
-    if (plan.again && (now == plan.version || !is_quiet(now))) return plan;
+    const bool is_there = std::filesystem::is_regular_file(o.regions_file, absent);
+    const bool is_news = is_there && !(plan.again && now == plan.version);
+    plan.waits = is_news && plan.again && !is_quiet(now);
+    if (!is_news || plan.waits) return plan;
     plan.version = now, plan.again = true;
     try {
         glare::Plan measured = *plan.measured;
