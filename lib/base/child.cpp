@@ -16,7 +16,8 @@ namespace base {
 
 namespace {
 
-// What is to become the child, which shares our memory until then: nothing but system calls.  Returns if it fails.
+// Runs in the process that becomes the child and shares our memory until then, so that it makes system calls alone.
+// Returns if it fails.
 void become(char* const* argv, const ChildFiles& files, const sigset_t& signals, bool group, pid_t parent) {
     const auto is = [](int fd, int instead, int mode) { dup2(fd < 0 ? open("/dev/null", mode) : fd, instead); };
     if (group) setpgid(0, 0);

@@ -30,7 +30,7 @@ std::string line_of(const Names::Name& surface, const Names::Name& material, bas
     return text;
 }
 
-// What a ray of an eye meets one after another.
+// The surfaces that a ray from the eye meets, one after another.
 class Gaze {
 public:
     using Found = flatten::HostTracer::Found;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a number has to keep, as a report judges it: "EN 17037 medium: DGPf <= 0.40", "UGRf <= 19",
+// A limit for a number, by which a report judges it: "EN 17037 medium: DGPf <= 0.40", "UGRf <= 19",
 // "floor.mean >= 500".
 #pragma once
 #include <string>

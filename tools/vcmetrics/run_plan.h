@@ -21,7 +21,7 @@ struct RunPlan {
     base::FileStamp version;  // of the region file
     int reading = 0;          // counts those that gave a plan
     bool again = false;       // it was read once more
-    bool waits = false;       // it has changed, but may still be being written: what is measured is of the regions before
+    bool waits = false;       // it has changed, but may still be being written; the regions before are measured
 };
 RunPlan plan_run(const Options& options);
 
