@@ -1,6 +1,6 @@
 // What may be said of glare, for every part of the page: the class of an interval, and whether a change is better or
 // worse. A value alone says nothing: an interval does, where it lies in one class or in two neighbouring ones.
-// lib/report/page.cpp has the same words; tests/golden/verdicts.tsv holds both to them.
+// lib/report/verdict_words.cpp has the same words; tests/golden/verdicts.tsv holds both to them.
 
 // DGP's classes (Wienold and Christoffersen 2006): a word and a sign each, so that colour says nothing alone.
 export const limits = [.35, .40, .45], words = ['imperceptible', 'perceptible', 'disturbing', 'intolerable'];
