@@ -51,7 +51,7 @@ check 'a full disk is said once; the design is kept, and written where there is 
     [ "$(ask GET /next | grep -ao "\"messages\":.*" | grep -ao "No space left" | wc -l)" = 1 ]
     ask GET "/overlay?n=3" | grep -q -- "-a 34"
     mv kept my.design; await "grep -q -- \"-a 34\" my.design"
-    await "ask GET /next | grep -aq \"notices.:\[\]\""; end'
+    await "! ask GET /next | grep -ao \"\\\"notices\\\":.*\\\"messages\\\":\" | grep -q written"; end'
 check 'variants are in the design, and any is the base, by its name' '
     begin; edited 1; ask POST "/variant?do=keep&name=dark" > /dev/null
     await "grep -A1 ^variant.dark my.design | grep -q \"	Ev [0-9.]* ([0-9.]* to\""
