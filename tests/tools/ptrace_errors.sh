@@ -108,6 +108,9 @@ check_error 'an eye that is metres away from a model of millimetres' 0 \
     scaled .001; eye 2 2.6 1.2 -vd 0 -1 0 scaled.rad'
 check_error 'an eye inside a solid' 0 '^ptrace: warning: -vp: surfaces .* 0.004 x 0.006 x 0.003: is it inside a solid' '
     scaled .001; echo "!xform -t -1 -1 -1 units.rad" >> scaled.rad; eye .002 .002 .001 -vd 0 -1 0 scaled.rad'
+check_error 'the third eye of a file' 0 '^ptrace: warning: view roof: the eye is .* are they in the same units' '
+    for v in "one -vp 2 2 1" "two -vp 2 2 1.5" "roof -vp 2 2 9999"; do echo "VIEW= $v -vd 0 1 0"; done > v.vf
+    ptrace -views v.vf -x 8 -y 8 -frames 1 -moments- units.rad | cat > x.str'
 check_error 'an eye under the ground' 0 \
     '^ptrace: warning: -vp: all surfaces are above the eye: is it under the ground' '
     { cat units.rad; echo wall ring ground 0 0 8 2 3 -.1 0 0 1 0 100; } > ground.rad; eye 2 3 -1 -vd 0 1 0 ground.rad'

@@ -182,12 +182,12 @@ bool carry_out(Session& s, Commands commands, const Sky& sky, size_t i) {
     }
 }
 
-// Once, with the first picture of the run.
-void warn_of_odd_eye(const Session& s, size_t i) {
+// Once for each view, with its first picture of the run.
+void warn_of_odd_eye(Session& s, size_t i) {
     const view::View& v = s.plan.view;
-    if (s.run.opt.views[i].render_view.points || v.type == 'l') return;
-    const std::string odd = render::odd_about_eye(*s.plan.scene.tables, v.vp);
-    if (!odd.empty()) base::warn("-vp", odd);
+    if (!s.eyes_looked_at.insert(i).second || s.run.opt.views[i].render_view.points || v.type == 'l') return;
+    const std::string odd = render::odd_about_eye(*s.plan.scene.tables, v.vp), name = s.run.opt.views[i].name;
+    if (!odd.empty()) base::warn(name.empty() ? "-vp" : "view " + name, odd);
 }
 
 void plan_first(Session& s, const Sky& sky, size_t i) {
@@ -205,7 +205,7 @@ void plan_first(Session& s, const Sky& sky, size_t i) {
         Commands commands;
         if (!planned) add_waiting(s, commands), planned = carry_out(s, std::move(commands), sky, i);
     }
-    if (is_first && !s.plan.fingerprint.empty()) warn_of_odd_eye(s, i);
+    if (!s.plan.fingerprint.empty()) warn_of_odd_eye(s, i);
 }
 
 void answer_what(const Session& s, const std::string& rest) {

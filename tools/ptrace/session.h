@@ -3,6 +3,7 @@
 // to have failed and leaves what was there.
 #pragma once
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -21,7 +22,8 @@ struct Session {
     std::unique_ptr<device::Device> device;
     render::SceneText text;
     render::ViewPlan plan;
-    std::string failure;  // of the files as they are now; empty: they are what is rendered
+    std::set<size_t> eyes_looked_at;  // pictures whose eye was asked whether it is odd
+    std::string failure;              // of the files as they are now; empty: they are what is rendered
 };
 
 // Setup of picture i.
