@@ -10,7 +10,8 @@ lib/view: base
 lib/image: base view
 lib/film: base view image
 lib/display: base image
-lib/cal: base image kernels
+lib/spectrum: base image
+lib/cal: base image spectrum kernels
 lib/generators: base cal
 lib/weather: base generators
 lib/scene: base cal generators kernels
@@ -21,10 +22,10 @@ lib/report: base view image uncertainty glare
 lib/region: base view image display
 lib/year: base view image display uncertainty report weather
 lib/bvh: base kernels
-lib/flatten: base cal scene bvh kernels
+lib/flatten: base spectrum cal scene bvh kernels
 lib/device: base flatten bvh kernels
 lib/sampling: base flatten device kernels
-lib/render: base view image scene flatten device sampling kernels
+lib/render: base view image spectrum scene flatten device sampling kernels
 lib/visibility: base region scene flatten
 lib/live: base view image display region
 tools/ptaccum: base view image film display
@@ -32,7 +33,7 @@ tools/vcmetrics: base view image display uncertainty glare evalglare report regi
 tools/vcregion: base view image region visibility
 tools/vcyear: base image report year
 tools/vcview: base live
-tools/ptrace: base view image film weather region scene render
+tools/ptrace: base view image film weather spectrum region scene render
 END
 
 # "file:line: lib/x includes y" for every include that points upwards in the tree at $1.

@@ -12,7 +12,9 @@ check 'no file names a path of one machine' '
     ! (cd "$TOP" && files | grep -vE "[.](hdr|exr|png)$" | tr "\n" "\0" | xargs -0 grep -nIE "$machine" /dev/null)'
 check 'every source file says its licence' '
     ! (cd "$TOP" && files | grep -E "[.](cpp|h|cl|sh|cmake)$|CMakeLists.txt$|Makefile$" | tr "\n" "\0" |
-        xargs -0 grep -L "SPDX-License-Identifier: BSD-3-Clause" | grep .)'
+        xargs -0 grep -L "SPDX-License-Identifier: BSD-3-Clause" | grep -v "^lib/spectrum/cie_" | grep .)'
+check 'tables of the CIE say theirs' '
+    ! grep -L "SPDX-License-Identifier: CC-BY-SA-4.0" "$TOP"/lib/spectrum/cie_* | grep .'
 
 named() {  # files in comments and pages; CHANGELOG tells of files that were
     (cd "$TOP" && files > "$TMP/list"
