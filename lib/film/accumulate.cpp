@@ -75,7 +75,7 @@ void Accumulator::start(const image::Picture& frame, int64_t k) {
 bool Accumulator::restarts(const image::Header& frame) const {
     if (empty() || !resumed_.empty()) return false;
     return frame.frame == 0 || frame.view_name != header_.view_name || frame.sky_name != header_.sky_name ||
-           frame.state != header_.state;
+           frame.state != header_.state || frame.action != header_.action;
 }
 
 void Accumulator::add(const image::Picture& frame, const std::string& place) {
@@ -128,6 +128,7 @@ void Accumulator::require_same(const image::Picture& frame, const std::string& p
     if (frame.header.view != header_.view) base::fail(place, number + " has another view than " + before);
     if (frame.header.grids != header_.grids) base::fail(place, number + " has other points than " + before);
     if (frame.header.seed != header_.seed) base::fail(place, number + " has another seed than " + before);
+    require_same_action(frame.header, header_, place + ": " + number, before);
     require_same_fingerprint(frame.header, header_, place + ": " + number, before);
 }
 

@@ -25,7 +25,7 @@ void add_frames_of(const image::Picture& picture, const std::string& name, Exact
 
 class Accumulator {
 public:
-    // Does this frame begin a sum of its own?  Frame 0 does, and the first one of another view or sky (VIEWNAME=).
+    // Does this frame begin a sum of its own?  Frame 0 does, and the first one of another view, sky or action.
     bool restarts(const image::Header& frame) const;
     // The next frame of the stream (FRAME=k in its header).  Throws Error (place) for a frame missing, repeated
     // or out of order, and for another size, view, seed or fingerprint inside one sum.

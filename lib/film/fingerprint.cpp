@@ -2,6 +2,8 @@
 // See fingerprint.h.
 #include "film/fingerprint.h"
 
+#include <fmt/format.h>
+
 #include <map>
 #include <sstream>
 
@@ -17,7 +19,19 @@ std::map<std::string, std::string> parts_of(const std::string& fingerprint) {
     return parts;
 }
 
+std::string what_weights(const image::Header& h) {
+    return h.action ? fmt::format("action {} of {} bands in {}", h.action->name, h.action->bands, h.action->unit)
+                    : "no action (ACTION=)";
+}
+
 }  // namespace
+
+void require_same_action(const image::Header& header, const image::Header& other, const std::string& place,
+                         const std::string& of) {
+    if (header.action == other.action) return;
+    base::fail(place, fmt::format("has {}, {} has {}: they cannot be combined into one picture", what_weights(header),
+                                  of, what_weights(other)));
+}
 
 void require_same_fingerprint(const image::Header& header, const image::Header& other, const std::string& place,
                               const std::string& of) {

@@ -13,4 +13,8 @@ namespace film {
 void require_same_fingerprint(const image::Header& header, const image::Header& other, const std::string& place,
                               const std::string& of);
 
+// Likewise for light weighted otherwise (ACTION=): a fingerprint may be missing.
+void require_same_action(const image::Header& header, const image::Header& other, const std::string& place,
+                         const std::string& of);
+
 }  // namespace film

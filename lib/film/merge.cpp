@@ -102,6 +102,7 @@ void Merger::add(image::Picture p, const std::string& name) {
         base::fail(name, fmt::format("is {} x {}, {} is {} x {}", p.width, p.height, first_name_, width_, height_));
     if (h.view != first_.view) base::fail(name, "has another view than " + first_name_);
     if (h.grids != first_.grids) base::fail(name, "has other points than " + first_name_);
+    require_same_action(h, first_, name, first_name_);
     require_same_fingerprint(h, first_, name, first_name_);
     check_ranges(h, name);
     image::Header input;
@@ -151,6 +152,7 @@ image::Picture Merger::result() const {
     out.height = height_;
     out.header.view = first_.view;
     out.header.grids = first_.grids;
+    out.header.action = first_.action;
     out.header.fingerprint = first_.fingerprint;
     out.header.direct_frames = first_.direct_frames;
     out.header.pixel_aspect = first_.pixel_aspect;

@@ -17,7 +17,8 @@ namespace image {
 namespace {
 
 constexpr int64_t most_hours = 366 * 1440;  // lines of a weather file
-constexpr size_t longest_kept = 2040;       // RADIANCE reads lines of at most 2047 characters
+constexpr int most_action_bands = 1000;
+constexpr size_t longest_kept = 2040;  // RADIANCE reads lines of at most 2047 characters
 
 // A line whose key is known: what follows the key, and where it goes.
 struct Field {
@@ -121,6 +122,14 @@ void read_edit(F f) {
     if (end != std::string::npos) f.h.edited = f.text.substr(end + 1);
 }
 
+void read_action(F f) {
+    const std::vector<std::string> words = base::split_words(f.text);
+    if (words.size() != 3 || (words[2] != "lx" && words[2] != "W/m2")) fail(f, " is not ACTION=name bands lx or W/m2");
+    const int64_t bands = integer<int64_t>(f, words[1]);
+    if (bands < 1 || bands > most_action_bands) fail(f, fmt::format(": bands are 1 to {}", most_action_bands));
+    f.h.action = Action{plain_name(words[0], f.where), int(bands), words[2]};
+}
+
 void read_hour(F f) {
     const size_t slash = f.text.find('/');
     if (slash == std::string::npos) fail(f, " is not HOUR=k/n");
@@ -185,6 +194,7 @@ constexpr Key keys[] = {
     {"VIEWNAME=", [](F f) { f.h.view_name = plain_name(f.text, f.where); }},
     {"SKYNAME=", [](F f) { f.h.sky_name = plain_name(f.text, f.where); }},
     {"STATE=", [](F f) { f.h.state = state_name(f.text, f.where); }},
+    {"ACTION=", read_action},
     {"SHARED_PATHS=", [](F f) { f.h.shared_paths = plain_name(f.text, f.where); }},
     {"HOUR=", read_hour},
     {"UNKNOWN=", [](F f) { f.h.unknown = one_line(f.text); }},
@@ -221,6 +231,7 @@ std::vector<std::string> header_lines(const Header& h) {
     if (!h.view_name.empty()) out.push_back("VIEWNAME=" + h.view_name);
     if (!h.sky_name.empty()) out.push_back("SKYNAME=" + h.sky_name);
     if (!h.state.empty()) out.push_back("STATE=" + h.state);
+    if (h.action) out.push_back(fmt::format("ACTION={} {} {}", h.action->name, h.action->bands, h.action->unit));
     if (!h.shared_paths.empty()) out.push_back("SHARED_PATHS=" + h.shared_paths);
     if (h.hour) out.push_back(fmt::format("HOUR={}/{}", h.hour->first, h.hour->second));
     if (!h.unknown.empty()) out.push_back("UNKNOWN=" + one_line(h.unknown));

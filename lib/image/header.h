@@ -45,7 +45,7 @@ void add_input_history(Header& header, const std::string& name, const Header& in
 const std::string& plain_name(const std::string& name, const std::string& where);
 const std::string& state_name(const std::string& name, const std::string& where);  // a slash may follow a group
 
-// "desk_sky_0900": what the picture shows, if its stream shows several things; else empty.
+// "desk_sky_0900", "desk_mel": what the picture shows, if its stream shows several things; else empty.
 std::string label(const Header& header);
 
 // "0:9,12:20" for messages.

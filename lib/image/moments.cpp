@@ -28,8 +28,8 @@ void CarriedMoments::pass(Picture& p) {
         first_->moments = p.moments;
         first_->width = p.width, first_->height = p.height;
     } else if (h.frames > 0 && !lacks_frame0(h) && h.seed == first.seed && h.view_name == first.view_name &&
-               h.sky_name == first.sky_name && h.state == first.state && p.width == first_->width &&
-               p.height == first_->height) {
+               h.sky_name == first.sky_name && h.state == first.state && h.action == first.action &&
+               p.width == first_->width && p.height == first_->height) {
         p.moments = first_->moments;
     } else if (h.frames) {
         *first_ = {};

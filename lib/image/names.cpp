@@ -31,7 +31,8 @@ const std::string& state_name(const std::string& name, const std::string& where)
 
 std::string label(const Header& h) {
     std::string label;
-    for (const std::string& name : {h.view_name, of_file(h.state), h.sky_name})
+    for (const std::string& name :
+         {h.view_name, of_file(h.state), h.sky_name, h.action ? h.action->name : std::string()})
         if (!name.empty()) label += (label.empty() ? "" : "_") + name;
     return label;
 }

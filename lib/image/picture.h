@@ -26,6 +26,17 @@ inline double luminance(const float* rgb) {
 
 constexpr const char* no_shared_paths = "-";  // of an hour by itself among others that share their paths
 
+// ACTION=mel 9 lx: the pixels are not radiances of red, green and blue but, in each channel alike, light weighted by an
+// action spectrum in place of luminance, in so many bands of wavelength, scaled so that 179 times the integral over
+// solid angle with the cosine is the number of that unit (in lx: the alpha-opic equivalent daylight illuminance).
+struct Action {
+    std::string name;  // mel rh sc mc lc V, or of a file
+    int bands = 0;
+    std::string unit;  // lx, W/m2
+    bool operator==(const Action& o) const { return name == o.name && bands == o.bands && unit == o.unit; }
+    bool operator!=(const Action& o) const { return !(*this == o); }
+};
+
 struct Header {
     std::vector<std::string> lines;  // history: every line not in the fields below, in order
     std::optional<view::View> view;  // from VIEW= and program lines (spec formats 1, glare 1.4)
@@ -38,6 +49,7 @@ struct Header {
     std::optional<int64_t> direct_frames;  // FRAME0=m: frame 0 holds the direct and specular light of frames 1 to m
     std::string view_name, sky_name;  // VIEWNAME=, SKYNAME=: in streams of several pictures of one scene; else empty
     std::string state;                // STATE=: of what moves in the scene (ptrace -state), "south/half"; else empty
+    std::optional<Action> action;     // ACTION=; none: an ordinary picture
     std::string shared_paths;         // SHARED_PATHS=: pictures that have it in common have paths in common; else empty
     std::optional<std::pair<int64_t, int64_t>> hour;  // HOUR=k/n: the k-th of n hours of a run; 0/0: a named one
     std::string unknown;          // UNKNOWN=why: the picture has no values, its pixels mean nothing; else empty

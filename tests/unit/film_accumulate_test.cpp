@@ -112,6 +112,28 @@ TEST_CASE("a new frame 0 starts again, whatever its size and seed") {
     CHECK(p.header.seed == 9);
 }
 
+TEST_CASE("another action starts again, and goes on from no sum of another one") {
+    const auto of_action = [](int64_t k, const std::optional<image::Action>& action) {
+        Picture p = frame(k);
+        p.header.action = action;
+        return p;
+    };
+    Accumulator a;
+    for (int64_t k = 0; k < 5; ++k) a.add(of_action(k, {}), "x");
+    CHECK(a.restarts(of_action(5, image::Action{"mel", 9, "lx"}).header));
+    a.add(of_action(5, image::Action{"mel", 9, "lx"}), "x");
+    CHECK(a.frames() == 1);
+    CHECK(a.restarts(of_action(6, image::Action{"mel", 12, "lx"}).header));
+    CHECK(!a.restarts(of_action(6, image::Action{"mel", 9, "lx"}).header));
+    Accumulator b;
+    b.resume(sum_of(0, 4), "sum.exr");
+    CHECK(error_text([&] {
+              b.add(of_action(5, image::Action{"mel", 9, "lx"}), "x");
+          }) ==
+          "x: frame 5: has action mel of 9 bands in lx, sum.exr has no action (ACTION=): they cannot be combined into "
+          "one picture");
+}
+
 TEST_CASE("values that are not finite count as 0, with a warning") {
     base::take_warnings();
     Accumulator a;

@@ -242,5 +242,12 @@ TEST_CASE("what cannot be weighted rightly is refused") {
     Picture turned = sum_of(10, 20);
     turned.header.view = view::View();
     CHECK(merge_error({sum_of(0, 9), turned}) == "p1: has another view than p0");
+    Picture action = sum_of(10, 20), bands = action;
+    action.header.action = {"mel", 9, "lx"}, bands.header.action = {"mel", 12, "lx"};
+    CHECK(merge_error({sum_of(0, 9), action}) ==
+          "p1: has action mel of 9 bands in lx, p0 has no action (ACTION=): they "
+          "cannot be combined into one picture");
+    CHECK(merge_error({action, bands}).find("p1: has action mel of 12 bands in lx, p0 has") == 0);
+    CHECK(merged({action}).header.action == action.header.action);
     CHECK(merge_error({frame(3)}) == "p0: is a single frame: merging needs sums of frames");
 }

@@ -64,6 +64,28 @@ TEST_CASE("which hour of a run a picture is, is read, passed on, and no history"
     }
 }
 
+TEST_CASE("what weights the light of a picture is read, passed on, part of its label, and no history") {
+    TempFolder temp;
+    Picture p = small_picture(3, 2);
+    p.header.view_name = "desk";
+    p.header.action = {"mel", 9, "lx"};
+    CHECK(image::label(p.header) == "desk_mel");
+    const std::string bytes = image::picture_bytes(p, Format::flt);
+    CHECK(bytes.find("\nACTION=mel 9 lx\n") != std::string::npos);
+    const Picture q = image::read_file(temp.holding("a.hdr", bytes));
+    CHECK(q.header.action == p.header.action);
+    CHECK(image::picture_bytes(q, Format::flt) == bytes);
+    const std::string exr = temp.name("a.exr");
+    image::write_file(exr, p);
+    CHECK(image::read_file(exr).header.action == p.header.action);
+    for (const char* wrong : {"ACTION=mel", "ACTION=mel 0 lx", "ACTION=mel x lx", "ACTION=mel 9", "ACTION=mel 9 cd",
+                              "ACTION=a/b 9 lx", "ACTION=mel 9 lx more", "ACTION=mel 99999999999999999999 lx"}) {
+        std::string broken = bytes;
+        broken.replace(broken.find("ACTION=mel 9 lx"), 15, wrong);
+        CHECK_THROWS_AS(image::read_file(temp.holding("b.hdr", broken)), base::Error);
+    }
+}
+
 TEST_CASE("a stream is pictures one after another") {
     TempFolder temp;
     Picture p = small_picture(3, 2);

@@ -14,13 +14,20 @@ namespace {
 
 bool has_place_for_name(const std::string& pattern) { return pattern.find("%s") != std::string::npos; }
 
+std::string label_without_action(image::Header header) {
+    header.action.reset();
+    return image::label(header);
+}
+
+// The picture of an action has the name of the ordinary one with the action behind it, "desk_mel.exr".
 std::string name_of(const std::string& pattern, const image::Header& header) {
     std::string name = pattern;
-    const std::string label = image::label(header);
+    const std::string label = label_without_action(header);
     for (size_t at = 0; (at = name.find("%s", at)) != std::string::npos; at += label.size()) {
         if (label.empty()) base::fail("-o", "\"" + pattern + "\": the pictures have no names (ptrace -views)");
         name.replace(at, 2, label);
     }
+    if (header.action) name.insert(name.size() - image::ending_of(name).size(), "_" + header.action->name);
     return name;
 }
 
@@ -37,7 +44,7 @@ Output::Output(const Options& options, std::string command) : options_(options),
 
 void Output::require_names_for(const image::Header& header) const {
     for (const std::string& pattern : options_.outputs)
-        if (!image::label(header).empty() && !has_place_for_name(pattern))
+        if (!label_without_action(header).empty() && !has_place_for_name(pattern))
             base::fail("-o", "\"" + pattern + "\" needs a %s for the names of several pictures");
         else name_of(pattern, header);
 }

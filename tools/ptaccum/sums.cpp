@@ -51,7 +51,7 @@ void Sums::add(const image::Picture& frame, const std::string& place) {
     sum_.add(frame, place);
     if (restarts && parts_) parts_->restart();
     if (options_.until_percent && !image::label(frame.header).empty())
-        base::fail("-until", "ends with the first sum, and these frames are of several views or skies");
+        base::fail("-until", "ends with the first sum, and these frames are of several views, skies or actions");
     if (options_.until_percent && restarts) blocks_.restart(frame);
     else if (options_.until_percent) blocks_.add(frame);
     if (filters_ && frame.header.frame == 0) halves_.clear(frame.rgb.size());
