@@ -17,6 +17,7 @@ inside 'apt-get update -q && apt-get install -q -y --no-install-recommends /tmp/
     { tail -n 20 "$root/tmp/apt.log"; exit 2; }
 inside 'for tool in ptrace ptaccum vcmetrics vcregion vcyear vcview luxpipe-live; do $tool -version; done'
 inside 'test -s /usr/share/man/man1/ptrace.1.gz -a -s /usr/share/luxpipe/luxpipe.mk'
+inside 'test -s "$(ptrace -library)/fabrics.rad"'
 inside 'cd /tmp && SIZE=64 UNTIL="DGPf 0.02, Ev 2%" bash /usr/share/doc/luxpipe/examples/demo.sh /usr/bin out'
 inside 'test -s /tmp/out/office.png'
 inside 'apt-get purge -q -y luxpipe && test ! -e /usr/bin/ptrace -a ! -e /usr/share/luxpipe' > "$root/tmp/apt.log"

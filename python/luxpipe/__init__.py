@@ -34,8 +34,13 @@ examples = _HERE / "examples"
 if not examples.is_dir():  # a clone
     examples = _HERE.parents[1] / "examples" / "scenes"
 
-__all__ = ["Error", "Interval", "Result", "Warning", "Year", "difference", "evalglare", "examples", "frames", "measure",
-           "plot", "read", "render", "rpict", "rtrace", "sensors", "year"]
+#: The folder of the library of materials: paints.rad, glazings.rad, fabrics.rad, blinds.rad.
+materials = _HERE / "share" / "luxpipe" / "library"
+if not materials.is_dir():
+    materials = _HERE.parents[1] / "library"
+
+__all__ = ["Error", "Interval", "Result", "Warning", "Year", "difference", "evalglare", "examples", "frames",
+           "materials", "measure", "plot", "read", "render", "rpict", "rtrace", "sensors", "year"]
 
 
 def __getattr__(name: str) -> object:

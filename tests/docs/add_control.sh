@@ -7,6 +7,7 @@ needs cmake ninja vcview mkstream ptaccum python3
 [ -f "$build/build.ninja" ] || skip 'not a build of ninja'
 mkdir -p tree/lib
 cp -r "$TOP/lib/live" tree/lib
+cp -r "$TOP/library" tree
 cp -r tree before
 cd tree || exit 2
 

@@ -270,3 +270,7 @@ def test_types():
 def test_a_size_is_pixels_or_two_numbers_of_them(size):
     with pytest.raises(ValueError, match=r"^size: .* is neither a number of pixels nor \(width, height\)$"):
         luxpipe.render(SCENE, VIEW, size=size)
+
+
+def test_the_library_of_materials_is_there() -> None:
+    assert {f.name for f in luxpipe.materials.iterdir()} == {"blinds.rad", "fabrics.rad", "glazings.rad", "paints.rad"}

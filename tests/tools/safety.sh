@@ -13,7 +13,7 @@ t_rif="ptrace -rif t.rif -frames 1 > x"
 
 # 1. A rad input file brings rendering and view options, and nothing else.
 for words in '-exec' '-o leak.hdr' '-e log' '-device cpu' '-frames 2' '-seed 7' '-rif t.rif' '-defaults' '-help' \
-        '-devices'; do
+        '-devices' '-library'; do
     rif evil.rad "render= $words"
     check_error "render= $words is refused" 1 '^ptrace: t.rif: .*may not' "$t_rif"
     printf 'scene= evil.rad\nRESOLUTION= 8\nview= a -vf down.vf %s\n' "$words" > t.rif

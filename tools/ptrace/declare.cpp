@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <filesystem>
 
 #include "base/error.h"
 #include "base/value.h"
@@ -57,6 +58,14 @@ void read_rif(const std::string& path, const std::vector<std::string>& assignmen
     t.read_scene_words(rad_input->options, path);
     opt.files.asked_by = path;
     opt.exposure = rad_input->exposure;
+}
+
+// Beside the folder of the programs, in a build as where they are installed.
+std::string library() {
+    const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe");
+    const std::filesystem::path folder = program.parent_path().parent_path() / "share/luxpipe/library";
+    if (!std::filesystem::is_directory(folder)) base::fail_system(folder.string(), "is not there");
+    return folder.string() + "\n";
 }
 
 std::string devices() {
@@ -148,6 +157,7 @@ void declare_messages(OptionTable& t, Options& opt) {
     t.add("-e file", "Append messages to a file instead of the standard error",
           [](Arguments& a) { send_messages_to(a.text()); });
     t.question("-devices", "List the devices", devices);
+    t.question("-library", "Print the folder of the library: paints, glazings, fabrics and slats of blinds", library);
 }
 
 // Options of rpict that steer what a path tracer does not have: its cache, its thresholds, its pixel interpolation,

@@ -79,7 +79,7 @@ struct Options {
 // May edits come?
 inline bool is_live(const Options& opt) { return opt.watch || !opt.control.empty(); }
 
-// Fills opt and checks it.  A status: the answer (-help, -version, -defaults, -devices) was printed, main ends with it.
+// Fills opt and checks it.  A status: the answer (-help, -version, -devices ...) was printed, main ends with it.
 std::optional<int> parse_options(int argc, char** argv, Options& opt);
 
 // Reads the files of -points: the one picture.

@@ -3,6 +3,7 @@ import { Camera } from '/camera.js';
 import { Day } from '/day.js';
 import { Edits } from '/edits.js';
 import { glare_of, verdict } from '/judge.js';
+import { Library } from '/library.js';
 import { show_messages } from '/messages.js';
 import { ask, command, Lost, post, tag_of, unpack } from '/net.js';
 import { PictureView } from '/picture.js';
@@ -34,7 +35,7 @@ const variants = new Variants((text) => camera.say(text), (rgb, name) => tones.c
   return rows && verdict(glare_of(lines.columns, last), last).number;
 });
 const day = new Day(sliders), plan = new Plan();
-const pointed = new Pointed(() => shown, sliders);
+const library = new Library(), pointed = new Pointed(() => shown, sliders, library);
 const sources = new Sources(view, (x, y) => pointed.called(x, y));
 const probe = new Probe([(x, y) => regions.at(x, y).map((name) => `in ${name}`).join(', '), (x, y) => sources.at(x, y)], (x, y) => pointed.words(x, y));
 
@@ -136,6 +137,7 @@ async function begin() {
   if (facts.control) camera.show();
   scene = facts.scene;
   if (facts.control && facts.files.some((f) => !f.regions)) $('probe').textContent = 'Click a thing to change it; point at it for values.';
+  await library.read();
   await Promise.all(facts.files.map((f, n) => (f.regions ? regions : sliders).use(n, f)));
   return true;
 }

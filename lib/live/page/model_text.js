@@ -81,9 +81,9 @@ export function with_sky(text, k, day, hour) {
   });
 }
 
-const digits = (value) => String(Number(value.toPrecision(6)));
+export const digits = (value) => String(Number(value.toPrecision(6)));
 export const with_number = (text, { start, end }, value) => text.slice(0, start) + digits(value) + text.slice(end);
-const reals_of = (text, thing) => thing.reals.map(([from, to]) => Number(text.slice(from, to)));
+export const reals_of = (text, thing) => thing.reals.map(([from, to]) => Number(text.slice(from, to)));
 function with_reals(text, thing, values) {
   for (let k = values.length - 1; k >= 0; k--)
     text = with_number(text, { start: thing.reals[k][0], end: thing.reals[k][1] }, values[k]);
@@ -127,26 +127,6 @@ export function with_move(text, thing, axis, by) {
   const head = moved ? line.slice(0, moved.index) : line, back = place.every((v) => Math.abs(v) < 1e-6);
   return text.slice(0, thing.start) + head + (back ? '' : ` | xform -t ${place.map(digits).join(' ')}`) +
     text.slice(thing.end);
-}
-
-// A roller shade before the upper half of a window: [text, name].  corners: four points; eye: a point on its side.
-export function with_shade(text, corners, eye) {
-  let n = 1;
-  while (text.includes(`roller_shade_${n}`)) n++;
-  const less = (a, b) => a.map((v, k) => v - b[k]), dot = (a, b) => a.reduce((sum, v, k) => sum + v * b[k], 0);
-  const [a, b] = [less(corners[1], corners[0]), less(corners[2], corners[0])];
-  const normal = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
-  const off = (dot(normal, less(eye, corners[0])) < 0 ? -.02 : .02) * Math.hypot(...b) / Math.hypot(...normal);
-  const heights = corners.map((c) => c[2]), middle = (Math.min(...heights) + Math.max(...heights)) / 2;
-  const upright = Math.max(...heights) - Math.min(...heights) > .1 * Math.hypot(...b);
-  const points = corners.map(
-    (c) => [c[0], c[1], upright ? Math.max(c[2], middle) : c[2]].map((v, k) => digits(v + off * normal[k])).join(' '));
-  const name = `roller_shade_${n}`;
-  return [
-    `${text.replace(/\n?$/, '\n')}\nvoid trans ${name}_fabric\n0\n0\n7 .6 .6 .6 0 0 .2 0\n\n${name}_fabric polygon ${
-      name}\n0\n0\n12 ${ points.join('  ') }\n`,
-    name
-  ];
 }
 
 // [least, largest] of a slider that begins at a value.

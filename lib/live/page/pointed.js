@@ -1,10 +1,12 @@
 // What the picture shows at a place, as ptrace names it: surfaces from the eye on, with material, file and line.  A
-// click offers what can be changed there, and nothing else: the material's colour as one grey, what a line repeats and
-// turns, where it stands, a shade for a pane, also behind the slats of a blind.
+// click offers what can be changed there, and nothing else: the material by name or its colour as one grey, what a line
+// repeats and turns, where it stands, a shade or a blind for a pane, also behind the slats of a blind.
 import { ask } from '/net.js';
 import { short } from '/picture.js';
+import { with_material } from '/library.js';
 import { colour_of, grey_of, is_movable, numbers_of, things_in } from '/model_text.js';
-import { with_grey, with_move, with_number, with_shade } from '/model_text.js';
+import { with_grey, with_move, with_number } from '/model_text.js';
+import { takes_slats, with_blind, with_shade } from '/shades.js';
 
 const $ = (id) => document.getElementById(id);
 const fields = ['name', 'type', 'place', 'material', 'kind', 'defined', 'point', 'reals'];
@@ -31,8 +33,8 @@ function word_of(all, end) {
 
 export class Pointed {
   // picture(): { edit, width, height, eye } or null.
-  constructor(picture, sliders) {
-    Object.assign(this, { picture, sliders, known: new Map(), edit: null });
+  constructor(picture, sliders, library) {
+    Object.assign(this, { picture, sliders, materials: library, known: new Map(), edit: null });
   }
 
   // Surfaces at a pixel, the nearest first, and perhaps a pane behind them; null: not known (any more).
@@ -93,10 +95,10 @@ export class Pointed {
     const stands = this.find(place), made = this.find(defined);
     const of_it = ` ${type}, ${place}; ${material} ${kind}${defined ? `, ${defined}` : ''}`;
     const parts = [make('p', {}, make('strong', {}, name), of_it)];
-    if (made && colour_of(made.thing)) parts.push(this.grey(material, defined));
+    if (made && colour_of(made.thing)) parts.push(...this.material(material, defined));
     if (stands) parts.push(...this.place(name, place));
     const corners = is_clear(surface) ? surface.reals.split(' ').map(Number) : [], file = this.shade_file(stands);
-    if (corners.length === 12 && file) parts.push(this.shade(name, corners, file));
+    if (corners.length === 12 && file) parts.push(...this.shades(name, corners, file));
     return parts;
   }
 
@@ -115,6 +117,25 @@ export class Pointed {
     });
   }
 
+  // By name, where the library has its kind, and as a grey.
+  material(name, place) {
+    const { one: { text }, thing } = this.find(place), [kinds, like] = this.materials.kinds_of(text, thing);
+    if (!kinds.length) return [this.grey(name, place)];
+    const select = make('select', {});
+    select.append(...like ? [] : [new Option('of its own', '')], ...kinds.map((m) => new Option(m.called, m.name)));
+    select.value = like?.name ?? '';
+    select.addEventListener('change', () => {
+      const found = this.find(place), chosen = kinds.find((m) => m.name === select.value);
+      if (!found || !chosen) return;
+      this.sliders.choose(found.one);
+      this.sliders.set(with_material(found.one.text, found.thing, chosen), false, `${name}: ${chosen.called}`);
+      row.replaceWith(...this.material(name, place));
+      slider.remove();
+    });
+    const row = make('label', {}, 'material', select), slider = this.grey(name, place);
+    return [row, slider];
+  }
+
   grey(material, place) {
     const { one: { text }, thing } = this.find(place), { value, most } = grey_of(text, thing);
     const radiance = colour_of(thing) === 'radiance';
@@ -126,8 +147,8 @@ export class Pointed {
   // What a line repeats and turns, and where it stands.
   place(name, place) {
     const { one: { text }, thing } = this.find(place), all = numbers_of(text, thing), line = place.replace(/.*[/]/, '');
-    const several =
-      thing.command ? all.map((n, k) => [n, k]).filter(([n]) => n.whole || /^-r[xyz]$/.test(n.option)) : [];
+    const several = !thing.command ? [] : [(n) => n.whole, (n) => /^-r[xyz]$/.test(n.option)]
+      .map((is) => all.findIndex(is)).filter((k) => k >= 0).sort((a, b) => a - b).map((k) => [all[k], k]);
     const moves = is_movable(text, thing) ? ['moved along x', 'moved along y', 'moved up'] : [];
     return [
       ...several.map(
@@ -146,17 +167,25 @@ export class Pointed {
     return stands?.one ?? files[files.length - 1];
   }
 
-  shade(name, numbers, one) {
-    const corners = [0, 3, 6, 9].map((k) => numbers.slice(k, k + 3));
-    const button = make('button', { type: 'button', textContent: `Add a shade to ${name}` });
-    button.addEventListener('click', () => {
-      const [text, shade] = with_shade(one.text, corners, this.picture().eye.vp);
-      this.sliders.choose(one);
-      this.sliders.set(text, false, `${shade} added to ${name}`);
-      const thing = things_in(text).find((t) => t.name === shade);
-      $('here').replaceChildren(
-        make('p', {}, make('strong', {}, shade)), ...this.place(shade, `${one.file.name}:${thing.line}`));
-    });
-    return button;
+  shades(name, numbers, one) {
+    const corners = [0, 3, 6, 9].map((k) => numbers.slice(k, k + 3)), { vp } = this.picture().eye;
+    return [['shade', 'fabric_grey_3', with_shade], ['blind', 'slat_white', with_blind]]
+      .filter(([kind]) => kind === 'shade' || takes_slats(corners, vp)).map(([kind, material, add]) => {
+        const button = make('button', { type: 'button', textContent: `Add a ${kind} to ${name}` });
+        button.addEventListener('click', () => {
+          const [text, added] = add(one.text, corners, this.picture().eye.vp, (m) => this.materials.lines(material, m));
+          this.sliders.choose(one);
+          this.sliders.set(text, false, `${added} added to ${name}`);
+          this.show_new(added, one);
+        });
+        return button;
+      });
+  }
+
+  // What can be changed of the last material and the last surface of a file.
+  show_new(name, one) {
+    const [made, stands] = things_in(one.text).slice(-2), place = (thing) => `${one.file.name}:${thing.line}`;
+    $('here').replaceChildren(make('p', {}, make('strong', {}, name)), ...this.material(made.name, place(made)),
+      ...this.place(name, place(stands)));
   }
 }

@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Things by name in the page of luxpipe-live: paints, glazings, fabrics, a shade and a blind before a window:
+# browser_things.py LINK SIZE
+import math, random, re, sys
+from browser_page import Page, check, link_in, soon
+
+page = Page(link_in(sys.argv[1]))
+size, SECONDS = (int(sys.argv[2]),) * 2, 90
+text = lambda: page.text('#model-text')
+edits = lambda: [row[0] for row in page.rows('#edits')]
+here = lambda: page.text('#here')
+point = lambda x, y: page.click_at(size, (size[0] * x, size[1] * y))
+options = lambda: page.js('[...document.querySelector("#here select").options].map((o) => o.text)')
+
+
+def choose(name, n=0):
+    page.one('#here select', '', lambda e: page.js('''((select) => { select.value = arguments[1];
+        select.dispatchEvent(new Event('change')); return select.value === arguments[1]; })(
+        document.querySelectorAll('#here select')[arguments[2]])''', e, name, n))
+
+
+check('a picture comes', page.until('document.body.dataset.picture > 0 && document.body.dataset.lines > 3', SECONDS))
+point(.8, .3)
+check('a wall is a material of its own', soon(lambda: 'wall_paint' in here() and options()[0] == 'of its own'), here())
+check('and may be any paint of the library', {'paint white', 'wall 50', 'brick red'} <= set(options()), options())
+choose('paint_white')
+check('which is an edit with its name', soon(lambda: 'wall_paint: paint white' in edits(), SECONDS), edits())
+check('its numbers are those of the library', re.search(r'wall_paint\s+0\s+0\s+5 \.8 \.8 \.8 0 0', text()), text())
+check('and it is shown as such', page.js('document.querySelector("#here select").value') == 'paint_white')
+
+point(.547, .43)
+check('a pane is a glazing', soon(lambda: 'pane' in here() and 'double low e' in options()), here())
+choose('sun_protection_30')
+check('another one is an edit', soon(lambda: 'glazing: sun protection 30' in edits(), SECONDS), edits())
+page.click('#here button', 'Add a shade to pane')
+check('a shade has a fabric of the library', soon(lambda: 'roller_shade_1 added to pane' in edits(), SECONDS), edits())
+check('that is named', page.js('document.querySelector("#here select").value') == 'fabric_grey_3', here())
+choose('fabric_white_5')
+check('and changed by name',
+      soon(lambda: 'roller_shade_1_fabric: fabric white 5' in edits() and '.2209 .2632' in text(), SECONDS), edits())
+page.click('#undo')
+page.click('#undo')
+check('undone', soon(lambda: 'roller_shade_1' not in text(), SECONDS))
+point(.547, .43)
+page.click('#here button', 'Add a blind to pane')
+check('a blind is added', soon(lambda: 'blind_1 added to pane' in edits(), SECONDS), edits())
+labels = lambda: page.js('[...document.querySelectorAll("#here label")].map((l) => l.firstChild.data)')
+check('it has slats of the library, as many as there are, one tilt, and a place', labels() == [
+    'material', 'reflectance', 'turned, degrees', 'repeated', 'moved along x', 'moved along y', 'moved up'], labels())
+check('its picture is rendered', soon(lambda: page.rows('#edits')[0][0] == 'blind_1 added to pane' and
+                                      int(page.rows('#edits')[0][1]) > 0, SECONDS), page.rows('#edits'))
+point(.547, .43)
+check('the picture has its slats', soon(lambda: 'blind_1' in here(), SECONDS), here())
+
+# Windows of any direction: the slats hang before them, on the eye's side, the outer edge lower.
+random.seed(62)
+for k in range(20):
+    around, width, low, high = (random.uniform(a, b) for a, b in ((0, 2 * math.pi), (.3, 6), (0, 1.5), (1.7, 4)))
+    along = (math.cos(around), math.sin(around))
+    x, y, side = random.uniform(-50, 50), random.uniform(-50, 50), random.choice((1, -1))
+    inward = (-along[1] * side, along[0] * side)
+    corners = [[x + along[0] * u, y + along[1] * u, z] for u, z in ((0, low), (width, low), (width, high), (0, high))]
+    random.shuffle(corners)
+    if abs(sum(a * b for a, b in zip(*([c - d for c, d in zip(corners[k], corners[0])] for k in (1, 2))))) < 1e-9:
+        corners = corners[::-1]
+    eye = [x + along[0] + 3 * inward[0], y + along[1] + 3 * inward[1], 1.2]
+    added = page.chrome.execute_async_script('''
+        const [corners, eye, done] = arguments;
+        import('/shades.js').then(({ with_blind }) => done(with_blind('', corners, eye, (name) => `void ${name}`)[0]));
+        ''', corners, eye)
+    n = [float(v) for v in re.search(r'!genbox .*', added).group().split() if re.match(r'[-\d.]+$', v)]
+    box, tilt, count, apart, turn, at = n[0:3], math.radians(n[6]), int(n[7]), n[10], math.radians(n[12]), n[13:16]
+    wrong = [] if abs(box[0] - width) < 1e-3 else [box]
+    for slat in (0, count - 1):
+        edges = []
+        for u in (0, box[0]):
+            for v in (-.025, .025):
+                local = (u, v * math.cos(tilt), v * math.sin(tilt) + slat * apart)
+                place = (local[0] * math.cos(turn) - local[1] * math.sin(turn) + at[0] - x,
+                         local[0] * math.sin(turn) + local[1] * math.cos(turn) + at[1] - y, local[2] + at[2])
+                of_wall = place[0] * along[0] + place[1] * along[1]
+                off = place[0] * inward[0] + place[1] * inward[1]
+                edges.append((off, place[2]))
+                if not (-.01 < of_wall < width + .01 and .02 < off < .08 and low - .02 < place[2] < high + .02):
+                    wrong.append((slat, of_wall, off, place[2], width, low, high))
+        wrong += [] if max(edges)[1] > min(edges)[1] else ['the inner edge is lower']
+    check(f'a blind before window {k}', not wrong, (wrong, added, corners))
+page.end()
