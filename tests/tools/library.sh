@@ -29,8 +29,8 @@ echo '0 0 0 0 0 1' > up.pts
 lit() {  # MATERIAL FILE
     printf 'void glow sky 0 0 4 1 1 1 0\nsky source dome 0 0 4 0 0 1 180\n%s polygon roof 0 0 12 %s\n' "$1" \
         "-500 -500 1  500 -500 1  500 500 1  -500 500 1" > roof.rad
-    ptrace -w- -frames 257 -points up.pts "$library/$2" roof.rad | ptaccum -last -o - | vcmetrics -metrics up.mean -last |
-        tail -n 1 | cut -f 3
+    ptrace -w- -frames 257 -points up.pts "$library/$2" roof.rad | ptaccum -last -o - |
+        vcmetrics -metrics up.mean -last | tail -n 1 | cut -f 3
 }
 for fabric in fabric_white_5 fabric_charcoal_1; do
     told=$(awk -v n=$fabric '$1 == n { print $12 }' all)
