@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Things by name in the page of luxpipe-live: paints, glazings, fabrics, a shade and a blind before a window:
 # browser_things.py LINK SIZE
-import math, random, re, sys
+import math, os, random, re, sys
+from selenium.webdriver.common.keys import Keys
 from browser_page import Page, check, link_in, soon
 
 page = Page(link_in(sys.argv[1]))
@@ -51,6 +52,56 @@ check('its picture is rendered', soon(lambda: page.rows('#edits')[0][0] == 'blin
                                       int(page.rows('#edits')[0][1]) > 0, SECONDS), page.rows('#edits'))
 point(.547, .43)
 check('the picture has its slats', soon(lambda: 'blind_1' in here(), SECONDS), here())
+
+# The sky
+sky = lambda: re.search(r'^!.*$', page.text('#model-text'), re.M).group()
+kind = lambda: page.js('document.getElementById("sky-kind").selectedOptions[0].text')
+
+
+def choose_sky(value):
+    page.chrome.execute_script("""const of = document.getElementById('sky-kind');
+        of.value = arguments[0]; of.dispatchEvent(new Event('change'));""", value)
+
+
+check('the sky has its name', soon(lambda: kind() == 'clear, with sun'), kind())
+choose_sky('-c')
+check('another one is an edit', soon(lambda: 'sky: overcast' in edits(), SECONDS), edits())
+check('of the same place', sky() == '!gensky 12 21 14 -c -a 42.36 -o 71.06 -m 75 -g .2', sky())
+page.one('#weather').send_keys(os.path.abspath('days.wea'))
+check('an hour of a weather file is one, with its place', soon(lambda: 'sky: an hour of Made up' in edits(), SECONDS),
+      edits())
+check('and time', sky() == '!gendaylit 12 21 13.5 -W 695 41 -a 42.36 -o 71.06 -m 75 -g .2', sky())
+check('it is called so', soon(lambda: kind() == 'hour of Made up'), kind())
+page.keys('#skies label:nth-of-type(2) input', Keys.ARROW_LEFT, Keys.ARROW_LEFT, Keys.ARROW_LEFT)
+check('another hour has its own radiation', soon(lambda: '12 21 12.5 -W 7' in sky()), sky())
+choose_sky('+s')
+check('back to a clear one', soon(lambda: sky().startswith('!gensky 12 21 12.5 +s -a 42.36')), sky())
+with open('wrong.epw', 'w') as file: file.write('nothing')
+page.one('#weather').send_keys(os.path.abspath('wrong.epw'))
+check('a file that is no weather is told', soon(lambda: page.js(
+    'document.getElementById("weather").validationMessage') == 'neither an EPW nor a WEA file'))
+epw = 'LOCATION,Town,-,-,x,1,51.5,-.25,1,0\n' + 'x\n' * 7 + ''.join(
+    f'2001,1,{day},{hour},60,?,1,1,1,1,1,1,1,1,{100 * day + hour},{hour}\n' for day in (1, 2) for hour in range(1, 25))
+texts = page.chrome.execute_async_script("""
+    const [epw, done] = arguments;
+    import('/sky_text.js').then((m) => {
+        const weather = m.weather_of(epw);
+        done([weather, ...['!gendaylit 3 1 +9 -W 1 2 -O 0 -g .3', '# x\\n!gensky 6 1 9:30 -a 1 +i -B 55 | x',
+            '!gensky 1 1 8 -u'].flatMap((l) =>
+                [m.kind_of(l), m.with_sky_kind(l, '-s'), m.with_weather(l, weather, 2, 9)])]);
+    });""", epw)
+check('EPW: west of Greenwich, hours by their middles', {k: texts[0][k] for k in (
+    'place', 'latitude', 'longitude', 'meridian')} == {'place': 'Town', 'latitude': 51.5, 'longitude': .25,
+                                                       'meridian': -15} and len(texts[0]['hours']) == 48, texts[0])
+told = '!gendaylit 1 2 8.5 -W 209 9 -a 51.5 -o 0.25 -m -15'
+check('lines of other programs and options', texts[1:] == [
+    'weather', '!gensky 3 1 +9 -s -g .3', told + ' -g .3',
+    '+i', '# x\n!gensky 6 1 9:30 -s -a 1 | x', '# x\n' + told + ' | x', None, '!gensky 1 1 8 -s', told], texts[1:])
+
+half = page.chrome.execute_async_script("""
+    import('/model_text.js').then(({ skies_in, with_sky }) => arguments[0]([
+        skies_in('!gensky 6 1 9:30 +s')[0].hour, with_sky('!gensky 6 1 9:30 +s', 0, 152, 10)]));""")
+check('half past nine is half past nine', half == [9.5, '!gensky 6 1 10 +s'], half)
 
 # Windows of any direction: the slats hang before them, on the eye's side, the outer edge lower.
 random.seed(62)

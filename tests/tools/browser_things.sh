@@ -4,10 +4,10 @@
 needs ptrace ptaccum vcmetrics vcview luxpipe-live python3 chromedriver
 /usr/bin/python3 -c 'import selenium' 2> /dev/null || skip 'no selenium here'
 
-cp "$TOP"/examples/scenes/office/*.rad "$TOP/examples/scenes/office/view.vf" .
+cp "$TOP"/examples/scenes/office/*.rad "$TOP"/examples/scenes/office/{view.vf,days.wea} .
 sed 's/ blind.rad//' layout.rad > open.rad
 luxpipe-live -vf view.vf -x 64 -y 64 -regions my.regions "$(ptrace -library)/paints.rad" \
-    materials.rad open.rad sky_1400.rad > lines 2> link &
+    materials.rad open.rad sky_day.rad > lines 2> link &
 running=$!
 for ((k = 0; k < 600; k++)); do [ -s lines ] || sleep .1; done
 check 'things have names' '

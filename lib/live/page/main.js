@@ -14,6 +14,7 @@ import { follow } from '/pointer.js';
 import { Probe } from '/probe.js';
 import { Regions } from '/regions.js';
 import { wire_saving } from '/save.js';
+import { Sky } from '/sky.js';
 import { Sliders } from '/sliders.js';
 import { Sources } from '/sources.js';
 import { Tones } from '/tones.js';
@@ -34,6 +35,7 @@ const variants = new Variants((text) => camera.say(text), (rgb, name) => tones.c
   const rows = lines.runs.find((r) => r.edit === edit)?.rows, last = rows?.[rows.length - 1];
   return rows && verdict(glare_of(lines.columns, last), last).number;
 });
+const sky = new Sky(sliders);
 const day = new Day(sliders), plan = new Plan();
 const library = new Library(), pointed = new Pointed(() => shown, sliders, library);
 const sources = new Sources(view, (x, y) => pointed.called(x, y));
@@ -98,6 +100,7 @@ async function take_state(state) {
   });
   $('again').hidden = !state.again;
   await sliders.take(state.texts);
+  sky.take();
   day.take(state.day);
   plan.take(state.plan);
 }

@@ -55,11 +55,11 @@ export const numbers_of = (text, thing) =>
     whole: /xform\b[^|]*\s-[ai]\s+$/.test(text.slice(from, from + m.index))
   })));
 
-const sky = /^!.*\b(gensky|gendaylit)[ \t]+(\d+)[ \t]+(\d+)[ \t]+(\+?)(\d+(?:\.\d*)?|\.\d+|\d+:\d+)/gm;
+export const sky_line = /^!.*\b(gensky|gendaylit)[ \t]+(\d+)[ \t]+(\d+)[ \t]+(\+?)(\d+:\d+|\d+(?:\.\d*)?|\.\d+)/gm;
 const months = [31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31];
 
 // [{ program, day (1 to 365), hour }] of the lines that make a sky.
-export const skies_in = (text) => [...text.matchAll(sky)].map((m) => ({
+export const skies_in = (text) => [...text.matchAll(sky_line)].map((m) => ({
   program: m[1], day: months.slice(0, m[2] - 1).reduce((a, b) => a + b, 0) + Number(m[3]),
   hour: m[5].includes(':') ? Number(m[5].split(':')[0]) + Number(m[5].split(':')[1]) / 60 : Number(m[5]),
 }));
@@ -74,7 +74,7 @@ export function date_of(day) {
 export function with_sky(text, k, day, hour) {
   const [month, date] = date_of(day);
   let at = 0;
-  return text.replace(sky, (all, program, m, d, plus, h) => {
+  return text.replace(sky_line, (all, program, m, d, plus, h) => {
     if (at++ !== k) return all;
     const head = all.slice(0, all.lastIndexOf(program) + program.length);
     return `${head} ${month} ${date} ${plus}${Number(hour.toFixed(3))}`;

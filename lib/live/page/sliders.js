@@ -25,6 +25,7 @@ export class Sliders {
   constructor() {
     this.files = [];  // { file: as on the disk, text: as it is shown, version: of that }
     this.chosen = null;  // the index of a number
+    this.place_sky = with_sky;  // (text, k, day, hour): the text with its sky k there
     $('model-file').addEventListener('change', () => { this.chosen = null; this.show(); });
     $('model-revert').addEventListener('click', () => this.set(this.now.file.text));
     $('model-save').addEventListener('click', () => this.save());
@@ -170,7 +171,7 @@ export class Sliders {
       const change = (v, going) => {
         const { day, hour } = { ...skies_in(one.text)[k], [what]: v };
         this.choose(one);
-        this.set(with_sky(one.text, k, day, hour), going);
+        this.set(this.place_sky(one.text, k, day, hour), going);
       };
       return what === 'day' ? this.slider(`${sky.program}: day`, 1, 365, 1, sky.day, date, change) : this.slider('hour', 0, 24, .25, sky.hour, clock, change);
     }, (label, { sky, what }) => label.show(sky[what]));
@@ -191,7 +192,7 @@ export class Sliders {
   go_to(n, hour) {
     const one = this.files.find((f) => f.file.n === n);
     this.choose(one);
-    this.set(with_sky(one.text, 0, skies_in(one.text)[0].day, hour));
+    this.set(this.place_sky(one.text, 0, skies_in(one.text)[0].day, hour));
   }
 
   // The file that Undo, Revert and Save are about.
