@@ -41,7 +41,13 @@ for width, height in ((1440, 900), (844, 390), (720, 450)):  # the last: 1440 x 
     page.resize(width, height)
     check(f'all is on one screen of {width} x {height}, and the picture has no bars', soon(
         lambda: page.fits() and box('#legend') <= height and page.js(one_screen)), box('#legend'))
+page.resize(1920, 1080)
+sides = lambda: page.js('''["#canvas", "#side"].map((css) => document.querySelector(css).getBoundingClientRect())
+    .map(({ left, right }) => [left, right])''')
+check('a square picture leaves no strip beside it', soon(lambda: 0 < sides()[1][0] - sides()[0][1] < 20), sides())
 page.resize(390, 800)
+check('a telephone has the picture in its upper half', soon(lambda: box('#picture > .bar') < 170 and
+                                                           page.fits()), box('#picture > .bar'))
 page.js('window.scrollTo(0, 9999)')
 check('at 390 pixels the picture stays in sight', soon(lambda: page.fits() and 0 < box('#canvas') < 800),
       box('#canvas'))

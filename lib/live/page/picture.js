@@ -131,8 +131,7 @@ export class PictureView {
       to.fillRect(left, 0, 1, height);
     }
     this.values = values;
-    for (const id of ['canvas', 'legend'])
-      document.getElementById(id).style.setProperty('--ratio', (beside ? 2 * width : width) / height);
+    document.querySelector('main').style.setProperty('--ratio', (beside ? 2 * width : width) / height);
     this.draw();
   }
 
