@@ -29,9 +29,13 @@ Images at_side(const std::vector<Shared>& values, double side, const Quantity& q
     return out;
 }
 
+// A quantity that rises with the values; its limits reach no further than values that are surely not passed let it.
 Interval around(const std::vector<Shared>& values, double strata, double alpha, const Quantity& quantity) {
-    return {limits_of(at_side(values, -1, quantity), strata, alpha).low,
-            limits_of(at_side(values, 1, quantity), strata, alpha).high};
+    std::vector<Uncertain> lowest = apart(values), highest = lowest;
+    for (Uncertain& u : lowest) u.value = u.least;
+    for (Uncertain& u : highest) u.value = u.most;
+    return {std::max(quantity(lowest), limits_of(at_side(values, -1, quantity), strata, alpha).low),
+            std::min(quantity(highest), limits_of(at_side(values, 1, quantity), strata, alpha).high)};
 }
 
 // Whole numbers within the limits.

@@ -59,7 +59,8 @@ double least_pixels(const View& view) {
 bool decided(View view, const std::vector<Need>& needs, size_t n, double alpha) {
     for (size_t k = 0; k < n; ++k)
         for (Hour& h : view.hours)
-            if (h.time.minute_of_year() == needs[k].hour.time.minute_of_year()) h.dgp = needs[k].promised;
+            if (h.time.minute_of_year() == needs[k].hour.time.minute_of_year())
+                h.dgp = needs[k].promised, h.states.clear();
     const Verdict v = judge(view, alpha);
     return v.best == v.worst;
 }

@@ -3,6 +3,7 @@
 #include "year/shade_control.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 
 #include "base/error.h"
@@ -27,13 +28,19 @@ ShadeChoice most_open(size_t n, const Look& look) {
     return c;
 }
 
-// All that f(a, b) may be.
+uint64_t kept_in(const ShadeChoice& c, size_t state) { return state < c.kept.size() ? c.kept[state] : 0; }
+
+// All that f(a, b), which is one of both, may be.
 template <class Of>
 ShadeChoice combined(const ShadeChoice& a, const ShadeChoice& b, const Of& f) {
-    ShadeChoice c{f(a.best, b.best), 0, {}};
+    ShadeChoice c{f(a.best, b.best), 0, {}, std::vector<uint64_t>(64, ~uint64_t(0))};
     for (size_t i = 0; a.may >> i; ++i)
-        for (size_t k = 0; b.may >> k && (a.may & bit(i)); ++k)
-            if (b.may & bit(k)) c.may |= bit(f(i, k));
+        for (size_t k = 0; b.may >> k && (a.may & bit(i)); ++k) {
+            if (!(b.may & bit(k))) continue;
+            const size_t state = f(i, k);
+            c.may |= bit(state);
+            c.kept[state] &= (state == i ? kept_in(a, i) : 0) | (state == k ? kept_in(b, k) : 0);
+        }
     return c;
 }
 size_t more_closed(size_t a, size_t b) { return std::max(a, b); }
@@ -68,16 +75,19 @@ struct Asking {
     const ShadeSources& sources;
     const std::vector<Setting>& others;
     const Setting& closed;
-    size_t group;
+    size_t group, rule;
     weather::Time time;
 };
 
 ShadeChoice glare_asks(const ReadyRule& r, double limit, const Asking& a) {
-    return most_open(r.states.size(), [&](size_t state) {
+    ShadeChoice c = most_open(r.states.size(), [&](size_t state) {
         return in_all(a.others, a.group, state, [&](const Setting& s) {
             return glare_kept(r, limit, *a.sources.glare, a.states.name_of(s), a.time);
         });
     });
+    const bool counted = a.sources.glare == &a.states;  // not other views of -by
+    if (counted && a.rule < 64) c.kept.assign(r.states.size() - 1, bit(a.rule));
+    return c;
 }
 
 ShadeChoice asked_by(const ReadyRule& r, const Asking& a) {
@@ -101,9 +111,11 @@ ShadeChoice asked_by(const ReadyRule& r, const Asking& a) {
 ShadeChoice with_memory(const ReadyRule& r, const Asking& a, const std::optional<ShadeChoice>& before, bool same_day) {
     const ShadeChoice now = asked_by(r, a);
     if (!before) return now;
-    if (r.rule.until_morning) return same_day ? combined(now, *before, more_closed) : now;
+    ShadeChoice stays = *before;
+    stays.kept.clear();  // it kept the limit an hour ago
+    if (r.rule.until_morning) return same_day ? combined(now, stays, more_closed) : now;
     if (r.rule.until >= r.rule.limit) return now;
-    return combined(now, combined(*before, glare_asks(r, r.rule.until, a), more_open), more_closed);
+    return combined(now, combined(stays, glare_asks(r, r.rule.until, a), more_open), more_closed);
 }
 
 // All hours that any view or grid has.
@@ -153,7 +165,8 @@ ShadeYear control(const ShadeStates& counted, const ShadeSources& sources, const
         for (size_t g = 0; g < groups.size(); ++g) {
             ShadeChoice choice;
             for (Applied& a : applied[g]) {
-                a.before = with_memory(a.rule, {counted, sources, settings, closed, g, time}, a.before, same_day);
+                a.before =
+                    with_memory(a.rule, {counted, sources, settings, closed, g, a.number, time}, a.before, same_day);
                 const std::optional<size_t> rule = a.before->best > choice.best ? a.number : choice.rule;
                 choice = combined(choice, *a.before, more_closed);
                 choice.rule = rule;
@@ -163,6 +176,21 @@ ShadeYear control(const ShadeStates& counted, const ShadeSources& sources, const
         }
     }
     return year;
+}
+
+// A group has seen the room as it is where those after it are as closed as they were when it decided.
+double most_dgp(const ShadeYear& year, size_t i, const Setting& setting, const std::string& view) {
+    double most = std::numeric_limits<double>::infinity();
+    for (size_t g = setting.size(); g-- > 0;) {
+        const uint64_t kept = kept_in(year.of_group[g][i], setting[g]);
+        for (size_t r = 0; r < std::min<size_t>(year.rules.size(), 64); ++r) {
+            const std::vector<std::string>& at = year.rules[r].at;
+            const bool is_read = at.empty() || std::find(at.begin(), at.end(), view) != at.end();
+            if ((kept & bit(r)) && is_read) most = std::min(most, year.rules[r].limit);
+        }
+        if (setting[g] + 1 < year.groups[g].states.size()) break;
+    }
+    return most;
 }
 
 std::vector<Setting> settings_at(const ShadeYear& year, size_t i) {

@@ -14,9 +14,10 @@
 namespace year {
 
 struct ShadeChoice {
-    size_t best = 0;             // the state by the values in the middle of their intervals
-    uint64_t may = 1;            // a bit for each state that it may have; best among them
-    std::optional<size_t> rule;  // that closed it
+    size_t best = 0;                  // the state by the values in the middle of their intervals
+    uint64_t may = 1;                 // a bit for each state that it may have; best among them
+    std::optional<size_t> rule;       // that closed it
+    std::vector<uint64_t> kept = {};  // by state: a bit for each rule of glare whose limit is kept if shades have it
     bool sure() const { return (may & (may - 1)) == 0; }
 };
 
@@ -32,5 +33,9 @@ ShadeYear control(const ShadeStates& counted, const ShadeSources& sources, const
 
 // The settings that shades may have in hour i, the best first.
 std::vector<Setting> settings_at(const ShadeYear& year, size_t i);
+
+// The DGP that a view does not exceed in hour i if shades have this setting: who controls them by glare takes a state
+// other than the most closed one only where it keeps the limit.
+double most_dgp(const ShadeYear& year, size_t i, const Setting& setting, const std::string& view);
 
 }  // namespace year

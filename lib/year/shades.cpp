@@ -8,13 +8,11 @@
 namespace year {
 namespace {
 
-// The states of ptrace -state that shades may have, the best first; by minute of the year.
-std::map<int, std::vector<std::string>> names_by_minute(const ShadeStates& states, const ShadeYear& year) {
-    std::map<int, std::vector<std::string>> names;
-    for (size_t i = 0; i < year.hours.size(); ++i)
-        for (const Setting& s : settings_at(year, i))
-            names[year.hours[i].minute_of_year()].push_back(states.name_of(s));
-    return names;
+// By minute of the year.
+std::map<int, size_t> hours_by_minute(const ShadeYear& year) {
+    std::map<int, size_t> hours;
+    for (size_t i = 0; i < year.hours.size(); ++i) hours[year.hours[i].minute_of_year()] = i;
+    return hours;
 }
 
 // It may be as any of these, the first of which is the best.  The value stays; what is unknown reaches to the farthest
@@ -24,6 +22,7 @@ Hour any_of(const std::vector<Hour>& hours) {
     double low = all.dgp.at(-1), high = all.dgp.at(1);
     for (const Hour& h : hours) {
         low = std::min(low, h.dgp.at(-1)), high = std::max(high, h.dgp.at(1));
+        all.dgp.least = std::min(all.dgp.least, h.dgp.least), all.dgp.most = std::max(all.dgp.most, h.dgp.most);
         if (h.dgp.error > all.dgp.error)
             all.dgp.error = h.dgp.error, all.dgp.degrees = h.dgp.degrees, all.halves = h.halves;
         all.is_known = all.is_known && h.is_known;
@@ -32,22 +31,25 @@ Hour any_of(const std::vector<Hour>& hours) {
     const double down = all.dgp.value - low, up = high - all.dgp.value;
     all.dgp.bound = std::max(0., std::min(down, up));
     all.dgp.jump = up > down ? up - all.dgp.bound : all.dgp.bound - down;
-    all.dgp.least = -uncertainty::Uncertain::infinite, all.dgp.most = uncertainty::Uncertain::infinite;
+    all.states = hours;
     return all;
 }
 
 }  // namespace
 
 std::vector<View> with_shades(std::vector<View> views, const ShadeStates& states, const ShadeYear& year) {
-    const auto names = names_by_minute(states, year);
+    const std::map<int, size_t> hours = hours_by_minute(year);
     bool shared = false;
     for (const View& v : views) shared = shared || v.shared;
     for (View& view : views)
         for (Hour& h : view.hours) {
             const int minute = h.time.minute_of_year();
             std::vector<Hour> may;
-            for (const std::string& name : names.at(minute)) {
-                may.push_back(states.hour(name, view.name, minute));
+            const size_t i = hours.at(minute);
+            for (const Setting& s : settings_at(year, i)) {
+                may.push_back(states.hour(states.name_of(s), view.name, minute));
+                uncertainty::Uncertain& dgp = may.back().dgp;
+                dgp.most = std::max(dgp.least, std::min(dgp.most, most_dgp(year, i, s, view.name)));
                 shared = shared || !may.back().paths.empty();
             }
             h = may.size() > 1 ? any_of(may) : may[0];
@@ -61,13 +63,13 @@ std::vector<View> with_shades(std::vector<View> views, const ShadeStates& states
 }
 
 std::vector<Grid> with_shades(std::vector<Grid> grids, const ShadeStates& states, const ShadeYear& year) {
-    const auto names = names_by_minute(states, year);
+    const std::map<int, size_t> hours = hours_by_minute(year);
     for (Grid& grid : grids) {
         for (GridHour& h : grid.hours) {
             const int minute = h.time.minute_of_year();
             std::vector<GridHour> may;
-            for (const std::string& name : names.at(minute))
-                may.push_back(states.hour_of_grid(name, grid.name, minute));
+            for (const Setting& s : settings_at(year, hours.at(minute)))
+                may.push_back(states.hour_of_grid(states.name_of(s), grid.name, minute));
             h = std::move(may[0]);
             h.instead.assign(may.begin() + 1, may.end());
         }

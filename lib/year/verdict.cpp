@@ -16,6 +16,28 @@ std::vector<uncertainty::Uncertain> values_of(const View& view) {
     return values;
 }
 
+// Of an hour whose state of shades is in doubt that one counts that is most surely above the limit (side 1), or least
+// surely (-1).
+const Hour& state_of(const Hour& h, double limit, double side) {
+    const Hour* farthest = &h;
+    double chance = -1;
+    for (const Hour& state : h.states) {
+        const double above = uncertainty::chance_above(state.dgp, limit, side), here = side > 0 ? above : 1 - above;
+        if (here > chance) farthest = &state, chance = here;
+    }
+    return *farthest;
+}
+
+View with_states(const View& view, double limit, double side) {
+    View out{view.name, {}, view.shared};
+    for (const Hour& h : view.hours) out.hours.push_back(state_of(h, limit, side));
+    return out;
+}
+
+bool is_doubtful(const View& view) {
+    return std::any_of(view.hours.begin(), view.hours.end(), [](const Hour& h) { return !h.states.empty(); });
+}
+
 std::vector<uncertainty::Shared> shared_values_of(const View& view) {
     std::vector<uncertainty::Shared> values;
     for (const Hour& h : view.hours) values.push_back({h.dgp, uncertainty::off(h.halves.codes)});
@@ -42,11 +64,24 @@ const char* class_name(int k) {
 bool holds(const Hour& h, double limit) { return h.low() < limit && limit < h.high(); }
 
 uncertainty::Interval hours_above(const View& view, double limit, double alpha) {
+    if (is_doubtful(view))
+        return {hours_above(with_states(view, limit, -1), limit, alpha).low,
+                hours_above(with_states(view, limit, 1), limit, alpha).high};
     return view.shared ? uncertainty::count_above(shared_values_of(view), strata_of(view), limit, alpha)
                        : uncertainty::count_above(values_of(view), limit, alpha);
 }
 
 uncertainty::Interval exceeded_dgp(const View& view, size_t exceeding, double alpha) {
+    if (is_doubtful(view)) {
+        // Which state is the worst depends on the limit sought: it is found again with those that count there.
+        constexpr int rounds = 3;
+        uncertainty::Interval all{uncertainty::exceeded(values_of(view), exceeding), 0};
+        all.high = all.low;
+        for (int round = 0; round < rounds; ++round)
+            all = {std::min(all.low, exceeded_dgp(with_states(view, all.low, -1), exceeding, alpha).low),
+                   std::max(all.high, exceeded_dgp(with_states(view, all.high, 1), exceeding, alpha).high)};
+        return all;
+    }
     return view.shared ? uncertainty::exceeded_interval(shared_values_of(view), strata_of(view), exceeding, alpha)
                        : uncertainty::exceeded_interval(values_of(view), exceeding, alpha);
 }

@@ -83,3 +83,15 @@ TEST_CASE("where errors are independent after all, the limits are not too narrow
         CHECK(h.shared >= 93);
     }
 }
+
+TEST_CASE("limits do not reach over what values surely do not exceed") {
+    SharedYears years(5, 16, .05, {.9, 0, .1});
+    const SharedYear year = years.draw(100);
+    std::vector<Shared> values = year.seen;
+    for (Shared& s : values) s.of.most = 300, s.of.least = 250;
+    const Interval value = exceeded_interval(values, year.strata, 5, .05);
+    CHECK(value.high <= 300 + 1e-9);
+    CHECK(value.low >= 250 - 1e-9);
+    CHECK(count_above(values, year.strata, 300, .05).high == 0);
+    CHECK(count_above(values, year.strata, 249, .05).low == 100);
+}
