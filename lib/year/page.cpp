@@ -27,6 +27,9 @@ constexpr const char* style = R"(
 .verdicts td { font-variant-numeric: tabular-nums; white-space: normal; }
 .verdicts small { color: var(--soft); display: block; }
 .verdicts td:nth-child(2) { font-weight: 600; } .verdicts td:first-child, .verdicts small { white-space: nowrap; }
+.parts td, .parts th:first-child { white-space: normal; } .parts small { color: var(--soft); display: block; }
+.parts td:nth-child(2) { font-weight: 600; } .parts td:nth-child(4) { font-size: 8.5pt; width: 36%; }
+.parts td { overflow-wrap: normal; } .parts td:nth-child(3) { width: 19%; }
 .room { max-width: 80mm; } .room .arrow { fill: currentColor; } .room path { stroke: currentColor; }
 .room text { paint-order: stroke; stroke: #fff; stroke-width: .2em; font-weight: 600; text-anchor: start; }
 .beside { display: flex; gap: 14px; align-items: flex-start; }
@@ -93,7 +96,8 @@ std::string verdict_table(const Page& page) {
     }
     return out + fmt::format(
                      "</tbody></table>\n<p class=\"note\">At most 5 % of the hours are above DGPe5: up to 0.35 is the "
-                     "class high, 0.40 medium, 0.45 minimum. Small: the {:g} % interval.</p>\n",
+                     "class high, 0.40 medium, 0.45 minimum. An hour is undecided where its interval holds one of "
+                     "these. Small: the {:g} % interval.</p>\n",
                      100 * page.certainty);
 }
 
@@ -191,8 +195,9 @@ std::string origin(const Page& page) {
 
 std::string page_text(const Page& page) {
     const size_t days = days_of(page.views[0]);
-    const std::string heading = fmt::format("Glare in {} of {}", hours_of(page.verdicts[0]),
-                                            days < few_days ? fmt::format("{} days", days) : "a year"),
+    const std::string glare = fmt::format("Glare in {} of {}", hours_of(page.verdicts[0]),
+                                          days < few_days ? fmt::format("{} days", days) : "a year"),
+                      heading = page.parts.any() ? "Daylight and glare by EN 17037" : glare,
                       title = page.title.empty() && page.weather ? page.weather->place : page.title;
     const auto link = [&](size_t view, const Hour& h) { return "#" + place_of(view, h.time); };
     std::string out = fmt::format(
@@ -202,12 +207,14 @@ std::string page_text(const Page& page) {
         "<title>{0}</title>\n<style>{1}{2}</style>\n</head>\n<body>\n<section>\n<h1>{0}</h1>\n"
         "<p class=\"title\">{3}</p>\n",
         heading, report::page_style, style, escaped(title));
-    out += verdict_table(page);
+    if (page.parts.any()) out += parts_table(page.parts, page.verdicts, page.certainty) + "<h2>" + glare + "</h2>\n";
+    out += verdict_table(page) + shades_section(page);
     const std::string plan = plan_figure(page), hours = hour_figures(page);
     if (!plan.empty()) out += "<h2>Plan</h2>\n" + plan;
     if (!hours.empty()) out += "<h2>Hours as the views see them</h2>\n" + hours;
     out += "</section>\n<section>\n<h2>Days by hours</h2>\n<div class=\"map\">" +
-           plot_text(page.views, 1 - page.certainty, link) + "</div>\n" + commands(page);
+           plot_text(page.views, 1 - page.certainty, page.shades ? &*page.shades : nullptr, link) + "</div>\n" +
+           commands(page);
     return out + origin(page) + "</section>\n</body>\n</html>\n";
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A year of glare as one HTML file for people, on a screen and on paper (vcyear -report): verdicts, a plan with the
-// directions of the views, pictures of hours, days by hours, and what all of it rests on.  It needs no other file, and
-// runs and loads nothing; names from files are escaped.
+// A year of glare as one HTML file for people, on a screen and on paper (vcyear -report): the parts of EN 17037,
+// verdicts, shades, a plan with the directions of the views, pictures of hours, days by hours, and what all of it rests
+// on.  It needs no other file, and runs and loads nothing; names from files are escaped.
 #pragma once
 #include <optional>
 #include <string>
@@ -10,6 +10,8 @@
 #include "image/picture.h"
 #include "view/view.h"
 #include "weather/weather.h"
+#include "year/page_parts.h"
+#include "year/shade_control.h"
 #include "year/verdict.h"
 
 namespace year {
@@ -18,6 +20,8 @@ struct Page {
     std::string title;  // empty: none
     std::vector<View> views;
     std::vector<Verdict> verdicts;  // of them
+    PageParts parts;
+    std::optional<ShadeYear> shades;
     double certainty = .95;
     std::string command;                   // shows an hour once it has -hours NAME (text.h)
     std::vector<view::NamedView> eyes;     // of the views, where they are known
@@ -37,5 +41,7 @@ const image::Picture* picture_of(const Page& page, const std::string& view, cons
 // The plan with an arrow for each view in the colour of its class, and the pictures of hours in one scale.
 std::string plan_figure(const Page& page);
 std::string hour_figures(const Page& page);
+// Groups and rules of shades; empty where none move.
+std::string shades_section(const Page& page);
 
 }  // namespace year

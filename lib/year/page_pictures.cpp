@@ -92,11 +92,12 @@ std::string hour_figures(const Page& page) {
         for (const Hour& h : page.views[k].hours) {
             const image::Picture* p = picture_of(page, page.views[k].name, h.time);
             if (!p) continue;
-            const std::string name = page.views[k].name;
+            const std::string name = page.views[k].name,
+                              drawn = p->header.state.empty() ? "" : "; drawn: " + p->header.state;
             out += fmt::format(
                 "<figure id=\"{}\"><img alt=\"luminance\" src=\"{}\"><figcaption>{}{}</figcaption></figure>\n",
                 place_of(k, h.time), image_data(display::tone(*p, colours)),
-                base::escaped(name.empty() ? "" : name + ", "), words_of(h));
+                base::escaped(name.empty() ? "" : name + ", "), base::escaped(words_of(h) + drawn));
         }
     if (out.empty()) return "";
     const display::Scale scale = display::falsecolor_scale(page.pictures[0], colours);

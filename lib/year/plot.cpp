@@ -7,6 +7,8 @@
 #include <algorithm>
 
 #include "display/canvas.h"
+#include "year/day_cells.h"
+#include "year/shade_maps.h"
 
 namespace year {
 namespace {
@@ -14,51 +16,28 @@ namespace {
 using display::Canvas;
 using display::Rectangle;
 
-constexpr int day_width = 3, hour_height = 12, left = 40, top = 24, bottom = 40, days = 366;
+constexpr int top = 24, bottom = 40;
 constexpr display::Colour night{120, 120, 130}, nothing{238, 238, 238};
 constexpr display::Colour classes[4] = {{205, 226, 235}, {250, 220, 110}, {240, 140, 50}, {170, 20, 50}};
 
-// From the first hour that any day has to the last.
-struct Rows {
-    int first = 24, last = 0;
-    explicit Rows(const View& view) {
-        for (const Hour& h : view.hours)
-            first = std::min(first, int(h.time.hour)), last = std::max(last, int(h.time.hour));
-    }
-    int height() const { return (last - first + 1) * hour_height; }
-};
-
-int x_of(const weather::Date& date) { return left + (date.in_leap_year() - 1) * day_width; }
-
-// The fewest days from one to the next that has hours: as many are a column's width, so that single days are seen.
-int days_apart(const std::vector<View>& views) {
-    std::vector<bool> has(days + 1);
-    for (const View& view : views)
-        for (const Hour& h : view.hours) has[size_t(h.time.date.in_leap_year())] = true;
-    int least = days, before = -1;
-    for (int day = 1; day <= days; ++day) {
-        if (!has[size_t(day)]) continue;
-        if (before > 0) least = std::min(least, day - before);
-        before = day;
-    }
-    return least == days ? 1 : least;
+DayCells cells_of(const std::vector<View>& views) {
+    std::vector<weather::Time> hours;
+    for (const View& v : views)
+        for (const Hour& h : v.hours) hours.push_back(h.time);
+    return DayCells(hours);
 }
 
-void add_hours(Canvas& c, const View& view, const Rows& rows, int wide_days, int y0,
+void add_hours(Canvas& c, const View& view, const DayCells& cells, int y0,
                const std::function<std::string(const Hour&)>& link) {
-    const int width = wide_days * day_width, end = left + days * day_width;
-    c.of(nothing).push_back({left, y0, days * day_width, rows.height()});
+    c.of(nothing).push_back({DayCells::left, y0, DayCells::days * DayCells::day_width, cells.height()});
     for (const Hour& h : view.hours) {
         if (h.is_missing) continue;
         const bool open = std::any_of(limits.begin(), limits.end(), [&](double limit) { return holds(h, limit); });
-        const int x = x_of(h.time.date) - (width - day_width) / 2, x0 = std::max(left, x),
-                  x1 = std::min(end, x + width);
-        const Rectangle r{x0, y0 + (int(h.time.hour) - rows.first) * hour_height, x1 - x0, hour_height, open};
+        const Rectangle r = cells.at(h.time, y0, open);
         c.of(h.dark ? night : classes[class_of(h.dgp.value)]).push_back(r);
-        if (link) c.spots.push_back({{r}, words_of(h), link(h)});
+        if (link || !h.shades.empty()) c.spots.push_back({{r}, words_of(h), link ? link(h) : ""});
     }
-    for (int hour = rows.first; hour <= rows.last; hour += 2)
-        c.words.push_back({8, y0 + (hour - rows.first) * hour_height - 5, fmt::format("{}", hour)});
+    cells.add_clock(c, y0);
 }
 
 // Months, and how many of their hours are above .40.
@@ -67,7 +46,7 @@ void add_months(Canvas& c, const View& view, double alpha, int y) {
         View of_month{"", {}, view.shared};
         for (const Hour& h : view.hours)
             if (h.time.date.month == month) of_month.hours.push_back(h);
-        const int x = x_of({month, 1});
+        const int x = DayCells::x_of({month, 1});
         c.words.push_back({x, y + 4, weather::day_text({month, 1}).substr(2)});
         if (of_month.hours.empty()) continue;
         const uncertainty::Interval n = hours_above(of_month, limits[1], alpha);
@@ -77,7 +56,7 @@ void add_months(Canvas& c, const View& view, double alpha, int y) {
 }
 
 void add_legend(Canvas& c, int wide_days, int y) {
-    int x = left;
+    int x = DayCells::left;
     const auto entry = [&](const display::Colour& colour, const std::string& text, bool hatched = false) {
         c.of(colour).push_back({x, y, 12, 12, hatched});
         c.words.push_back({x + 16, y, text});
@@ -93,39 +72,44 @@ void add_legend(Canvas& c, int wide_days, int y) {
         {x, y, "below months: hours above 0.40" + (wide_days > 1 ? fmt::format("; days {} apart", wide_days) : "")});
 }
 
-Canvas plot(const std::vector<View>& views, double alpha, const LinkOf& link) {
+Canvas plot(const std::vector<View>& views, double alpha, const ShadeYear* shades, const LinkOf& link) {
     Canvas c;
-    c.width = left + days * day_width + 8;
-    const int wide_days = days_apart(views);
+    c.width = DayCells::width;
+    const DayCells cells = cells_of(views);
     for (size_t k = 0; k < views.size(); ++k) {
         const View& view = views[k];
-        const Rows rows(view);
-        c.words.push_back({left, c.height + 6, view.name.empty() ? "DGP, standard time" : view.name});
+        c.words.push_back({DayCells::left, c.height + 6, view.name.empty() ? "DGP, standard time" : view.name});
         std::function<std::string(const Hour&)> of_view;
         if (link) of_view = [&](const Hour& h) { return link(k, h); };
-        add_hours(c, view, rows, wide_days, c.height + top, of_view);
-        add_months(c, view, alpha, c.height + top + rows.height());
-        c.height += top + rows.height() + bottom;
+        add_hours(c, view, cells, c.height + top, of_view);
+        add_months(c, view, alpha, c.height + top + cells.height());
+        c.height += top + cells.height() + bottom;
     }
-    add_legend(c, wide_days, c.height + 6);
+    add_legend(c, cells.wide_days(), c.height + 6);
     c.height += top;
+    if (shades) add_shade_maps(c, *shades);
     return c;
 }
 
 }  // namespace
 
+std::string time_words(const weather::Time& time) {
+    const std::string name = weather::name_of(time);
+    return weather::day_text(time.date) + fmt::format(", {}:{}", name.substr(5, 2), name.substr(7));
+}
+
 std::string words_of(const Hour& h) {
-    const std::string name = weather::name_of(h.time);
-    return weather::day_text(h.time.date) + fmt::format(", {}:{}: ", name.substr(5, 2), name.substr(7)) +
-           (h.dark ? "dark" : fmt::format("DGP {:.3f} ({:.3f} to {:.3f})", h.dgp.value, h.low(), h.high()));
+    return time_words(h.time) + ": " +
+           (h.dark ? "dark" : fmt::format("DGP {:.3f} ({:.3f} to {:.3f})", h.dgp.value, h.low(), h.high())) +
+           (h.shades.empty() ? "" : "; " + h.shades);
 }
 
-void write_plot(const std::string& path, const std::vector<View>& views, double alpha) {
-    display::write_canvas(path, plot(views, alpha, {}), "vcyear");
+void write_plot(const std::string& path, const std::vector<View>& views, double alpha, const ShadeYear* shades) {
+    display::write_canvas(path, plot(views, alpha, shades, {}), "vcyear");
 }
 
-std::string plot_text(const std::vector<View>& views, double alpha, const LinkOf& link) {
-    return display::svg_text(plot(views, alpha, link));
+std::string plot_text(const std::vector<View>& views, double alpha, const ShadeYear* shades, const LinkOf& link) {
+    return display::svg_text(plot(views, alpha, shades, link));
 }
 
 }  // namespace year

@@ -31,21 +31,60 @@ double moves(const std::vector<ShadeChoice>& hours, size_t states, double side) 
     return side < 0 ? *std::min_element(cost.begin(), cost.end()) : *std::max_element(cost.begin(), cost.end());
 }
 
+// All that it may be.
+std::string states_of(const ShadeGroup& group, const ShadeChoice& c, const char* between) {
+    std::string text;
+    for (size_t s = 0; s < group.states.size(); ++s)
+        if (may_be(c, s)) text += (text.empty() ? "" : between) + group.states[s];
+    return text;
+}
+
 std::string name_of(const GroupYear& g) { return g.name.empty() ? "" : g.name + ": "; }
+
+}  // namespace
 
 std::string number_words(const Bounded& n) {
     return n.low == n.high ? fmt::format("{:.0f}", n.value)
                            : fmt::format("{:.0f} ({:.0f} to {:.0f})", n.value, n.low, n.high);
 }
 
-std::string share(const Bounded& n, size_t all) {
+std::string share_words(const Bounded& n, size_t all) {
     const double percent = 100 / double(all);
     std::string text = fmt::format("{:.1f} %", percent * n.value);
     if (n.low < n.high) text += fmt::format(" ({:.1f} to {:.1f})", percent * n.low, percent * n.high);
     return text;
 }
 
-}  // namespace
+static std::string which_words(const ShadeRule& r, const char* all) {
+    std::string text;
+    for (const std::string& name : r.at) text += (text.empty() ? "" : ", ") + name;
+    return text.empty() ? all : text;
+}
+
+std::string rule_words(const ShadeRule& r) {
+    std::string text;
+    switch (r.kind) {
+    case ShadeRule::Kind::glare:
+        text = fmt::format("the most open state in which the DGP of {} is at most {:g}; the last one where none is",
+                           which_words(r, "all views"), r.limit);
+        if (r.until < r.limit) text += fmt::format("; closed shades open again at {:g}", r.until);
+        break;
+    case ShadeRule::Kind::sun:
+        text =
+            fmt::format("the most open state in which at most {:g} % of the sensors of {} have {:g} lx of direct sun",
+                        100 * r.share, which_words(r, "all grids"), r.lux);
+        break;
+    case ShadeRule::Kind::schedule: text = "the state that the file " + r.file + " names for the hour"; break;
+    case ShadeRule::Kind::slats:
+        text = fmt::format(
+            "the most open state whose slats, {:g} wide and {:g} apart, keep out the sun of {}; the "
+            "facade looks to {:g}°",
+            r.slats.width, r.slats.spacing, r.file, r.slats.facade_deg);
+        break;
+    }
+    if (r.until_morning) text += "; closed shades stay so until the morning";
+    return (r.group.empty() ? "" : r.group + ": ") + text;
+}
 
 std::vector<GroupYear> group_years(const ShadeYear& year) {
     std::vector<GroupYear> all;
@@ -73,7 +112,7 @@ std::string shade_lines(const std::vector<GroupYear>& groups, const std::vector<
     for (const GroupYear& g : groups) {
         std::string states, why;
         for (size_t s = 0; s < g.states.size(); ++s)
-            states += fmt::format("{}{} {}", s ? ", " : "", g.states[s], share(g.hours[s], g.all));
+            states += fmt::format("{}{} {}", s ? ", " : "", g.states[s], share_words(g.hours[s], g.all));
         for (size_t r = 0; r < rules.size(); ++r)
             if (rules[r].group.empty() || rules[r].group == g.name)
                 why += fmt::format("{}{} in {} hours", why.empty() ? "" : ", ", rules[r].text, g.closed_by[r]);
@@ -93,17 +132,28 @@ void add_shades(report::Line& line, const std::vector<GroupYear>& groups) {
     }
 }
 
+std::string shade_words(const ShadeYear& year, size_t hour, size_t group) {
+    const ShadeGroup& g = year.groups[group];
+    const ShadeChoice& c = year.of_group[group][hour];
+    return (g.name.empty() ? "shades" : g.name) + " " + g.states[c.best] +
+           (c.rule ? ": " + year.rules[*c.rule].text : "") +
+           (c.sure() ? "" : " (may be " + states_of(g, c, " or ") + ")");
+}
+
+std::string shade_words(const ShadeYear& year, size_t hour) {
+    std::string text;
+    for (size_t g = 0; g < year.groups.size(); ++g) text += (g ? "; " : "") + shade_words(year, hour, g);
+    return text;
+}
+
 std::string moves_table(const ShadeYear& year) {
     std::string text = "sky\tgroup\tstate\tmay\trule\n";
     for (size_t i = 0; i < year.hours.size(); ++i)
         for (size_t g = 0; g < year.groups.size(); ++g) {
             const ShadeGroup& group = year.groups[g];
             const ShadeChoice& c = year.of_group[g][i];
-            std::string may;
-            for (size_t s = 0; s < group.states.size(); ++s)
-                if (may_be(c, s)) may += (may.empty() ? "" : ",") + group.states[s];
             text += fmt::format("{}\t{}\t{}\t{}\t{}\n", weather::name_of(year.hours[i]),
-                                group.name.empty() ? "-" : group.name, group.states[c.best], may,
+                                group.name.empty() ? "-" : group.name, group.states[c.best], states_of(group, c, ","),
                                 c.rule ? year.rules[*c.rule].text : "-");
         }
     return text;

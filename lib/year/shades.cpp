@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <map>
 
+#include "year/shade_text.h"
+
 namespace year {
 namespace {
 
@@ -53,6 +55,7 @@ std::vector<View> with_shades(std::vector<View> views, const ShadeStates& states
                 shared = shared || !may.back().paths.empty();
             }
             h = may.size() > 1 ? any_of(may) : may[0];
+            h.shades = shade_words(year, i);
         }
     for (View& view : views) {
         view.shared = shared;

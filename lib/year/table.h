@@ -24,6 +24,7 @@ struct Hour {
     uncertainty::Halves halves;          // of dgp, where the table has them
     std::string paths;                   // the same in hours of one set of paths; empty: the hour has its own
     bool is_known = true;                // false: no interval came with so few frames, so that any value is possible
+    std::string shades = {};             // their states, and the rules that close them, in words
     std::vector<Hour> states = {};       // of shades, any of which it may have; dgp holds all of them
     double low() const, high() const;    // of the 95 % interval, with the pixels' error
 };

@@ -8,12 +8,12 @@
 #include "base/run.h"
 #include "image/stream.h"
 #include "options.h"
+#include "page.h"
 #include "sensors.h"
 #include "shaded.h"
 #include "year/honeybee.h"
 #include "year/months.h"
 #include "year/next.h"
-#include "year/page.h"
 #include "year/plot.h"
 #include "year/text.h"
 
@@ -23,8 +23,8 @@ void refuse_options_of_sensors(const Options& o, const Counted& c) {
     const std::pair<const char*, bool> of_sensors[] = {{"-direct", !o.direct.empty() && !c.shades},
                                                        {"-each", o.each},
                                                        {"-points", !o.points.empty()},
-                                                       {"-en17037", !o.en17037.empty()},
-                                                       {"-sunlight", !o.sun_steps.empty()},
+                                                       {"-en17037", !o.en17037.empty() && o.planes.empty()},
+                                                       {"-sunlight", !o.sun_steps.empty() && o.openings.empty()},
                                                        {"-overcast", !o.overcast.empty()},
                                                        {"-leed", o.leed}};
     for (const auto& [name, given] : of_sensors)
@@ -40,23 +40,6 @@ std::string months(const Options& opt, const std::vector<year::View>& views, dou
     return report::table(lines, opt.format.value_or(report::TableFormat::tsv));
 }
 
-year::Page page_of(const Options& o, const std::vector<year::View>& views, const std::vector<year::Verdict>& verdicts) {
-    year::Page page;
-    page.title = o.title, page.views = views, page.verdicts = verdicts;
-    page.certainty = o.percent / 100;
-    page.command = o.command;
-    for (const std::string& file : o.eyes)
-        for (view::NamedView& eye : view::read_views(file, {})) page.eyes.push_back(std::move(eye));
-    if (!o.plan.empty()) page.plan = image::read_file(o.plan);
-    for (const std::string& file : o.pictures) page.pictures.push_back(image::read_file(file));
-    if (!o.weather.empty()) page.weather = weather::read_weather(o.weather);
-    page.files = o.tables;
-    for (const auto& more : {o.closed, o.eyes, o.pictures})
-        page.files.insert(page.files.end(), more.begin(), more.end());
-    page.version = std::string("luxpipe ") + LUXPIPE_VERSION;
-    return page;
-}
-
 std::string answer_of_views(const Options& opt, const Counted& c) {
     refuse_options_of_sensors(opt, c);
     const std::vector<year::View>& views = c.tables.views;
@@ -64,9 +47,9 @@ std::string answer_of_views(const Options& opt, const Counted& c) {
     if (opt.months) return months(opt, views, alpha);
     std::vector<year::Verdict> verdicts;
     for (const year::View& v : views) verdicts.push_back(year::judge(v, alpha));
-    if (!opt.plot.empty()) year::write_plot(opt.plot, views, alpha);
+    if (!opt.plot.empty()) year::write_plot(opt.plot, views, alpha, c.shades ? &*c.shades : nullptr);
     if (!opt.honeybee.empty()) year::write_honeybee(opt.honeybee, views);
-    if (!opt.report.empty()) image::write_bytes(opt.report, year::page_text(page_of(opt, views, verdicts)));
+    if (!opt.report.empty()) image::write_bytes(opt.report, year::page_text(page_of(opt, c, verdicts)));
     if (opt.next) return year::need_lines(views, verdicts, alpha);
     if (opt.worst > 0) return year::worst_lines(views, size_t(opt.worst), opt.command);
     std::vector<report::Line> lines;

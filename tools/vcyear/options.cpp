@@ -35,23 +35,31 @@ void declare_goals(base::OptionTable& t, year::Goals& g) {
 }
 
 void declare_report(base::OptionTable& t, Options& o) {
-    t.add("-report file", "Write a page for people: verdicts, plan, pictures, days by hours, weather and method",
-          o.report);
+    t.add(
+        "-report file",
+        "Write a page for people: verdicts, shades and their rules, plan, pictures, days by hours, weather and method",
+        o.report);
     t.add("-title words", "Title of the report", o.title).default_text("the place of -wea");
     t.add("-views file", "View file with the views of the table, for the plan of the report; may be repeated", o.eyes);
     t.add("-plan picture", "Plan of the report: a picture of a parallel view from above", o.plan);
     t.add("-pictures file", "Picture of an hour for the report (ptaccum -o %s.exr); may be repeated", o.pictures);
+    t.add("-plane file", "Table of sensors for the daylight provision of the report (-en17037)", o.planes);
+    t.add("-openings file", "Table of points of openings for the sunlight of the report (-sunlight)", o.openings);
+    t.add("-viewout file", "What vcregion -list printed of the region opening, for the view out of the report",
+          o.view_out);
     t.add("-wea file", "Weather file that the report names, with its source and its comments", o.weather);
 }
 
 void check_report(const Options& o) {
-    const std::pair<const char*, bool> of_report[] = {{"-title", !o.title.empty()},
-                                                      {"-views", !o.eyes.empty()},
-                                                      {"-plan", !o.plan.empty()},
-                                                      {"-pictures", !o.pictures.empty()},
-                                                      {"-wea", !o.weather.empty()}};
+    const std::pair<const char*, bool> of_report[] = {
+        {"-title", !o.title.empty()},       {"-views", !o.eyes.empty()},   {"-plan", !o.plan.empty()},
+        {"-pictures", !o.pictures.empty()}, {"-plane", !o.planes.empty()}, {"-openings", !o.openings.empty()},
+        {"-viewout", !o.view_out.empty()},  {"-wea", !o.weather.empty()}};
     for (const auto& [name, given] : of_report)
         if (given && o.report.empty()) base::fail(name, "is of a report (-report)");
+    if (!o.planes.empty() && o.en17037.empty()) base::fail("-plane", "needs the weather file of the year (-en17037)");
+    if (!o.openings.empty() && o.sun_steps.empty())
+        base::fail("-openings", "needs the day and the lowest sun (-sunlight)");
 }
 
 }  // namespace
@@ -116,7 +124,7 @@ std::optional<int> parse_options(int argc, char** argv, Options& o) {
     o.tables = *operands;
     if (o.tables.empty()) base::fail("", "no table; vcyear -help lists the options");
     if (o.next && o.worst > 0) base::fail("-next", "prints other lines than -worst; ask for one of them");
-    if (!o.sun_steps.empty() && !o.en17037.empty())
+    if (!o.sun_steps.empty() && !o.en17037.empty() && o.report.empty())
         base::fail("-sunlight", "has tables of a day in steps; those of -en17037 are of a year");
     if (o.months && (o.next || o.worst > 0)) base::fail("-months", "prints other lines than -next and -worst");
     if (o.months && (!o.en17037.empty() || !o.sun_steps.empty() || !o.overcast.empty() || o.leed))
@@ -127,9 +135,9 @@ std::optional<int> parse_options(int argc, char** argv, Options& o) {
     if (!o.report.empty()) image::require_writable_ending(o.report, {".html"});
     check_report(o);
     std::vector<std::string> inputs = o.tables;
-    for (const auto& more : {o.closed, o.direct, o.points, o.by, o.eyes, o.pictures})
+    for (const auto& more : {o.closed, o.direct, o.points, o.by, o.eyes, o.pictures, o.planes, o.openings})
         inputs.insert(inputs.end(), more.begin(), more.end());
-    for (const std::string& file : {o.en17037, o.sun_steps, o.shades, o.overcast, o.plan, o.weather})
+    for (const std::string& file : {o.en17037, o.sun_steps, o.shades, o.overcast, o.plan, o.weather, o.view_out})
         if (!file.empty()) inputs.push_back(file);
     base::refuse_to_overwrite({o.plot, o.moves, o.report}, inputs);
     if (!o.warnings) base::set_warning_sink({});

@@ -33,6 +33,8 @@ struct Options {
     std::string report, title;                  // -report, -title
     std::vector<std::string> eyes, pictures;    // -views, -pictures: of the report
     std::string plan, weather;                  // -plan, -wea: likewise
+    std::vector<std::string> planes, openings;  // -plane, -openings: tables of sensors, of the report
+    std::string view_out;                       // -viewout: what vcregion -list printed
     bool next = false;                          // -next
     int worst = 0;                              // -worst
     std::optional<report::TableFormat> format;  // -format; none: text
