@@ -9,7 +9,7 @@ mkdir -p "$1" && out=$(cd "$1" && pwd) && top=$(cd "$(dirname "$0")/.." && pwd)
 commit_time=$(git -C "$top" log -1 --format=%ct 2> /dev/null || stat -c %Y "$top/CHANGELOG.md")
 export SOURCE_DATE_EPOCH=${SOURCE_DATE_EPOCH:-$commit_time} LC_ALL=C CMAKE_GENERATOR=Ninja
 export CMAKE_ARGS="-DCMAKE_UNITY_BUILD=ON ${FLAGS:-}" CMAKE_BUILD_PARALLEL_LEVEL=${JOBS:-$(nproc)}
-platform=manylinux_2_36_$(uname -m)  # Debian 12's C library
+platform=manylinux_2_34_$(uname -m)  # RHEL 9's C library: what is newer in Debian 12's, we do not use
 umask 022
 
 [ -x "$out/venv/bin/auditwheel" ] || {

@@ -15,8 +15,13 @@ struct FileStamp {
 };
 
 inline FileStamp stamp_of(const struct stat& s) {
-    return {uint64_t(s.st_dev), uint64_t(s.st_ino), uint64_t(s.st_size), uint64_t(s.st_mtim.tv_sec),
-            uint64_t(s.st_mtim.tv_nsec)};
+#ifdef __APPLE__
+    const timespec& changed = s.st_mtimespec;
+#else
+    const timespec& changed = s.st_mtim;
+#endif
+    return {uint64_t(s.st_dev), uint64_t(s.st_ino), uint64_t(s.st_size), uint64_t(changed.tv_sec),
+            uint64_t(changed.tv_nsec)};
 }
 
 inline FileStamp stamp_of(const std::string& path) {

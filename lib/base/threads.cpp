@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <condition_variable>
 #include <exception>
 #include <mutex>
 #include <thread>
@@ -57,18 +56,11 @@ void in_shares(size_t count, size_t share, unsigned threads, const std::function
 }
 
 unsigned available_threads(unsigned count) {
-    std::mutex lock;
-    std::condition_variable change;
-    bool done = false;
-    std::vector<std::thread> threads = start(count > 0 ? count - 1 : 0, [&] {
-        std::unique_lock<std::mutex> hold(lock);
-        change.wait(hold, [&] { return done; });
-    });
-    {
-        const std::lock_guard<std::mutex> hold(lock);
-        done = true;
-    }
-    change.notify_all();
+    std::mutex gate;  // shut until all have been started
+    gate.lock();
+    std::vector<std::thread> threads =
+        start(count > 0 ? count - 1 : 0, [&] { const std::lock_guard<std::mutex> pass(gate); });
+    gate.unlock();
     for (std::thread& t : threads) t.join();
     return unsigned(threads.size()) + 1;
 }

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/hypot.h"
+
 namespace display {
 namespace {
 
@@ -106,7 +108,7 @@ void PointCells::turn_to_rows() {
         double nearest = infinite, dx = 0, dy = 0;
         for (int rings = 1; std::isinf(nearest) && rings / 2 < std::max(across_, down_); rings *= 2)
             visit(at_[i].first, at_[i].second, rings, [&](uint32_t, double x, double y) {
-                if (const double d = std::hypot(x, y); d > 1e-6 * bin_ && d < nearest) nearest = d, dx = x, dy = y;
+                if (const double d = base::hypot(x, y); d > 1e-6 * bin_ && d < nearest) nearest = d, dx = x, dy = y;
             });
         const double four = 4 * std::atan2(dy, dx);
         if (std::isfinite(nearest)) cosines += std::cos(four), sines += std::sin(four);

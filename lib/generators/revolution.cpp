@@ -4,6 +4,7 @@
 // genworm material name x(t) y(t) z(t) r(t) nseg: balls of radius r along a curve, joined by cones tangent to both.
 #include <cmath>
 #include "base/error.h"
+#include "base/hypot.h"
 #include "generators/functions.h"
 
 namespace generators {
@@ -15,7 +16,7 @@ struct Normal2 {
     double radial, axial;
 };
 Normal2 piece_normal(double z0, double r0, double z1, double r1) {
-    const double dz = z1 - z0, dr = r1 - r0, l = std::hypot(dz, dr);
+    const double dz = z1 - z0, dr = r1 - r0, l = base::hypot(dz, dr);
     return l > 0 ? Normal2{dz / l, -dr / l} : Normal2{0, 0};
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include "base/error.h"
+#include "base/hypot.h"
 #include "glare/sources.h"
 
 namespace glare {
@@ -28,7 +29,7 @@ uint32_t assign_patches(std::vector<Run>& runs, const Geometry& g, const Patches
             const double f = std::max(0.0, double(x) / dx - (j % 2 ? 0.5 : 0));
             const int a = j * nx + int(std::floor(f)) + 1;
             const int b = a + (y > centre_y(a) ? nx : -nx) + (x > centre_x(a) ? 0 : -1) + (j % 2 ? 1 : 0);
-            const auto distance = [&](int k) { return std::hypot(x - centre_x(k), y - centre_y(k)); };
+            const auto distance = [&](int k) { return base::hypot(x - centre_x(k), y - centre_y(k)); };
             const bool second = b >= 1 && b <= nx * ny && distance(b) <= distance(a);
             single.push_back({p, 1, uint32_t(second ? b : a)});
         }

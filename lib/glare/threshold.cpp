@@ -121,11 +121,12 @@ std::vector<float> fill_rows(const Luminance& lum, const Geometry& g, const Fill
 
 double black_corner_percent(const Luminance& lum) {
     const int cx = lum.width / 2, cy = lum.height / 2;
-    const double radius = (cx + cy) / 2;
+    const long radius = (cx + cy) / 2;
     long corner = 0, black = 0;
     for (int y = 0; y < lum.height; ++y)
         for (int x = 0; x < lum.width; ++x) {
-            if (std::hypot(x - cx, y - cy) <= radius) continue;
+            const long right = x - cx, up = y - cy;
+            if (right * right + up * up <= radius * radius) continue;
             ++corner;
             black += lum.at(x, y) < 7;
         }

@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <cerrno>
 
+#include "base/wait.h"
+
 namespace live {
 
 namespace {
@@ -65,7 +67,7 @@ bool Outbox::is_full() const {
 void Outbox::work() {
     std::unique_lock<std::mutex> lock(mutex_);
     for (;;) {
-        news_.wait(lock, [this] { return ends_ || (end_ && !waiting_.empty()); });
+        base::wait(news_, lock, [this] { return ends_ || (end_ && !waiting_.empty()); });
         if (ends_) return;
         const std::shared_ptr<const End> end = end_;
         const ssize_t n = write(end->fd, waiting_.data(), std::min(waiting_.size(), most_at_once));

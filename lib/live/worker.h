@@ -5,6 +5,7 @@
 #include <functional>
 #include <mutex>
 #include <thread>
+#include "base/wait.h"
 
 namespace live {
 
@@ -26,7 +27,7 @@ private:
     }
     void run() {
         for (std::unique_lock<std::mutex> lock(mutex_);;) {
-            asked_.wait(lock, [this] { return wanted_ || ends_; });
+            base::wait(asked_, lock, [this] { return wanted_ || ends_; });
             if (ends_) return;
             wanted_ = false;
             lock.unlock();

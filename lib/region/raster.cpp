@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include "base/angle.h"
 #include "base/error.h"
+#include "base/hypot.h"
 #include "base/memory.h"
 #include "base/processors.h"
 #include "base/threads.h"
@@ -63,7 +64,7 @@ CellGeometry cell_geometry(const Space& s, const Cell& c) {
     }
     g.blank = !any;
     g.reach.angle = all ? reach * (c.size > 8 ? 1.2 : 1.05) : INFINITY;  // room for the projection's bend
-    g.reach.pixel = std::hypot(x1 - x0, y1 - y0) / 2 * (1 + 1e-9);
+    g.reach.pixel = base::hypot(x1 - x0, y1 - y0) / 2 * (1 + 1e-9);
     if (!all) g.reach.pixel = INFINITY;
     return g;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/angle.h"
+#include "base/hypot.h"
 #include "view/density.h"
 
 namespace render {
@@ -18,7 +19,7 @@ bool crosses_rim(const view::Projector& p, int x, int y, int nx, int ny) {
     const view::View& v = p.view();
     const auto centre = p.direction((x + .5) / nx, (y + .5) / ny);
     if (v.type != 'a' || v.vh > 180 || v.vv > 180 || !centre) return false;
-    return dot(*centre, p.forward()) > -std::hypot(v.vh / nx, v.vv / ny) / 2 * base::degree;
+    return dot(*centre, p.forward()) > -base::hypot(v.vh / nx, v.vv / ny) / 2 * base::degree;
 }
 
 }  // namespace

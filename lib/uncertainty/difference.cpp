@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/hypot.h"
+
 namespace uncertainty {
 namespace {
 
@@ -37,7 +39,7 @@ Estimate independent(const Estimate& a, Estimate b) {
     b.value -= a.value;
     if (!a.known() || !b.known()) b.error = std::nan("");
     add_error(b, a.error * a.error, a.degrees);
-    b.lasting = std::hypot(a.lasting, b.lasting);
+    b.lasting = base::hypot(a.lasting, b.lasting);
     if (a.error > 0) b.skewness -= a.skewness * std::pow(a.error / b.error, 3);
     return b;
 }

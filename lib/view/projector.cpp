@@ -6,6 +6,7 @@
 
 #include "base/angle.h"
 #include "base/error.h"
+#include "base/hypot.h"
 #include "view/density.h"
 
 namespace view {
@@ -86,15 +87,15 @@ bool Projector::locate_direction(Vec3 dir, double& X, double& Y) const {
     case 'v': return z > 0 && plane_of(a / z, b / z, X, Y);
     case 'l': return false;
     case 'a': {
-        const double s = std::hypot(a, b);  // sine of the angle from d
-        if (s == 0 && z < 0) return false;  // straight behind: the whole rim
+        const double s = base::hypot(a, b);  // sine of the angle from d
+        if (s == 0 && z < 0) return false;   // straight behind: the whole rim
         const double k = s > 0 ? std::atan2(s, z) / base::pi / s : 0;
         return plane_of(a * k, b * k, X, Y);
     }
     case 'h': return z >= 0 && plane_of(a, b, X, Y);
     case 's': return z > -1 && plane_of(a / (1 + z), b / (1 + z), X, Y);
     default: {  // c
-        const double s = std::hypot(z, a);
+        const double s = base::hypot(z, a);
         return s > 0 && plane_of(std::atan2(a, z), b / s, X, Y);
     }
     }

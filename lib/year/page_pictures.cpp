@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/hypot.h"
 #include "base/printable.h"
 #include "display/file.h"
 #include "report/page_figures.h"
@@ -69,7 +70,7 @@ std::string plan_figure(const Page& page) {
         const auto [x0, y0] = along(eye->vp - v.vp);
         const auto [dx, dy] = along(eye->vd);
         const double x = x0 + (.5 - v.vs) * p.width, y = y0 + (.5 + v.vl) * p.height,
-                     length = std::max(1e-9, std::hypot(dx, dy));
+                     length = std::max(1e-9, base::hypot(dx, dy));
         const Verdict& of = page.verdicts[k];
         out += fmt::format(
             "<g class=\"arrow class{}\"><circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\"/><path "

@@ -4,14 +4,18 @@
 #include <doctest/doctest.h>
 
 #include <atomic>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <new>
+#include <random>
 
 #include "base/error.h"
 #include "base/hash.h"
+#include "base/hypot.h"
 #include "base/printable.h"
 #include "base/processors.h"
 #include "base/run.h"
@@ -170,4 +174,32 @@ TEST_CASE("processors: the least limit of a process's control groups and those a
     std::ofstream(mount + "/cpu/old/cpu.cfs_quota_us") << "-1\n";
     CHECK(base::control_group_limit("4:cpu,cpuacct:/old\n", mount) == 0);
     CHECK(base::control_group_limit("no groups here", mount) == 0);
+}
+
+TEST_CASE("hypot: the true value to .501 units in the last place, whatever the exponents") {
+    if (std::numeric_limits<long double>::digits < 64) return;  // nothing to compare with
+    std::mt19937_64 random(1);
+    std::uniform_real_distribution<double> mantissa(-1, 1);
+    std::uniform_int_distribution<int> exponent(-1020, 1022), apart(0, 60);
+    double worst = 0;
+    bool even = true;
+    for (int i = 0; i < 300000; ++i) {
+        const int e = exponent(random);
+        const double a = std::ldexp(mantissa(random), e),
+                     b = std::ldexp(mantissa(random), std::max(-1020, e - apart(random)));
+        const double h = base::hypot(a, b);
+        const long double exact = std::sqrt((long double)(a)*a + (long double)(b)*b);
+        if (h > 1e-290) worst = std::max(worst, double(std::fabs(h - exact) / (std::nextafter(h, INFINITY) - h)));
+        even = even && base::hypot(-b, a) == h;
+    }
+    CHECK(even);
+    CHECK(worst < .501);
+    CHECK(base::hypot(3, 4) == 5);
+    CHECK(base::hypot(0, -0.) == 0);
+    CHECK(base::hypot(3e-310, 4e-310) == doctest::Approx(5e-310));
+    CHECK(base::hypot(1e-320, 0) == 1e-320);
+    CHECK(std::isinf(base::hypot(1.7e308, 1.7e308)));
+    CHECK(std::isinf(base::hypot(-INFINITY, NAN)));
+    CHECK(std::isnan(base::hypot(NAN, 0)));
+    CHECK(std::isnan(base::hypot(1, NAN)));
 }
