@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <type_traits>
 #include <fmt/printf.h>
 
 namespace evalglare {
@@ -12,6 +13,21 @@ using namespace glare;
 using OutputSettings = evalglare::Settings;
 
 namespace {
+
+// Where an operation is invalid, x86 gives -nan, and so do evalglare's recorded lines; other processors give nan.
+template <class T>
+T as_on_x86(T value) {
+#ifndef __x86_64__
+    if constexpr (std::is_same_v<T, double>)
+        if (std::isnan(value)) return -value;
+#endif
+    return value;
+}
+
+template <class... Values>
+std::string print(const char* format, const Values&... values) {
+    return fmt::sprintf(format, as_on_x86(values)...);
+}
 
 // L^2 w / P^2 of all sources, whatever -w says; evalglare's total is the one of the sources before zones split them.
 double sum_of_terms(const Measurement& m) {
@@ -35,22 +51,21 @@ Shares shares_of(const GlareTerm& s, double sum, const Measurement& m, const Dgp
 }
 
 std::string statistics_line(const PixelStatistics& a) {
-    if (a.pixels == 0) return fmt::sprintf("%f %f %f %f %f %f %f %f", a.omega, a.mean, 0., 0., 0., 0., 0., 0.);
-    return fmt::sprintf("%f %f %f %f %f %f %f %f", a.omega, a.mean, a.median, a.deviation, a.p75, a.p95, a.lowest,
-                        a.highest);
+    if (a.pixels == 0) return print("%f %f %f %f %f %f %f %f", a.omega, a.mean, 0., 0., 0., 0., 0., 0.);
+    return print("%f %f %f %f %f %f %f %f", a.omega, a.mean, a.median, a.deviation, a.p75, a.p95, a.lowest, a.highest);
 }
 
 std::string zone_line(const PixelStatistics& a, int zone, long count, const char* gap) {
     const std::string z = "z" + std::to_string(zone);
-    return fmt::sprintf(
+    return print(
                "zoning:%s_omega,%s_av_lum,%s_median_lum,%s_std_lum,%s_perc_75,%s_perc_95,%s_lum_min,%s_lum_max,E%s,i_%"
                "s:%s",
                z, z, z, z, z, z, z, z, z, z, gap) +
-           statistics_line(a) + fmt::sprintf(" %f %d\n", a.eye_lux, count);
+           statistics_line(a) + print(" %f %d\n", a.eye_lux, count);
 }
 
 std::string source_lines(const Measurement& m, const glare::Settings& settings, int height) {
-    std::string out = fmt::sprintf(
+    std::string out = print(
         "%d No pixels x-pos y-pos L_s Omega_s Posindx L_b L_t E_v Edir Max_Lum Sigma xdir ydir zdir Eglare "
         "Lveil_cie teta glare_zone r_contrast r_dgp\n",
         int(m.sources.size()));
@@ -59,16 +74,15 @@ std::string source_lines(const Measurement& m, const glare::Settings& settings, 
         const GlareSource& s = m.sources[i];
         const GlareTerm& g = m.glare[i];
         const Shares share = shares_of(g, sum, m, settings.constants);
-        out +=
-            fmt::sprintf("%d %f %f %f %f %.10f %f %f %f %f %f %f %f %f %f %f %f %f %f %d %f %f \n", int(i + 1),
-                         s.pixels, s.x, height - s.y, s.lum, s.omega, s.P, m.background, m.task_lum, m.ev, m.direct_lux,
-                         m.max_lum, s.sigma_deg, s.direction.x, s.direction.y, s.direction.z, s.eye_lux,
-                         veil_cie({g}, settings.formulas.veil_cut), g.theta_deg, s.zone, share.contrast, share.dgp);
+        out += print("%d %f %f %f %f %.10f %f %f %f %f %f %f %f %f %f %f %f %f %f %d %f %f \n", int(i + 1), s.pixels,
+                     s.x, height - s.y, s.lum, s.omega, s.P, m.background, m.task_lum, m.ev, m.direct_lux, m.max_lum,
+                     s.sigma_deg, s.direction.x, s.direction.y, s.direction.z, s.eye_lux,
+                     veil_cie({g}, settings.formulas.veil_cut), g.theta_deg, s.zone, share.contrast, share.dgp);
     }
     if (m.sources.empty()) {
-        out += fmt::sprintf("%d %f %f %f %f %.10f %f %f %f %f %f %f", 0, 0., 0., 0., 0., 0., 0., m.background,
-                            m.task_lum, m.ev, m.direct_lux, m.max_lum);
-        for (int k = 0; k < 11; ++k) out += fmt::sprintf(" %f", 0.);
+        out += print("%d %f %f %f %f %.10f %f %f %f %f %f %f", 0, 0., 0., 0., 0., 0., 0., m.background, m.task_lum,
+                     m.ev, m.direct_lux, m.max_lum);
+        for (int k = 0; k < 11; ++k) out += print(" %f", 0.);
         out += "\n";
     }
     return out;
@@ -106,7 +120,7 @@ std::string summary_line(const Measurement& m, const Reading& reading) {
         "dgp,av_lum,E_v,lum_backg,E_v_dir,dgi,ugr,vcp,cgi,lum_sources,omega_sources,Lveil,Lveil_cie,dgr,ugp,ugr_exp,"
         "dgi_mod,"
         "av_lum_pos,av_lum_pos2,med_lum,med_lum_pos,med_lum_pos2,ugp2:";
-    for (double v : values) out += fmt::sprintf(" %f", v);
+    for (double v : values) out += print(" %f", v);
     return out + "\n";
 }
 
@@ -120,8 +134,8 @@ Measurement as_fast(Measurement m) {
 }
 
 std::string fast_line(const Measurement& m, bool short_line) {
-    if (short_line) return fmt::sprintf("%f\n", m.dgp);
-    return fmt::sprintf("%f %f \n", m.dgp, ugr(m.glare, m.background));
+    if (short_line) return print("%f\n", m.dgp);
+    return print("%f %f \n", m.dgp, ugr(m.glare, m.background));
 }
 
 // -z angle 3: a line for each patch, then one for each bright pixel of each patch.
@@ -131,8 +145,8 @@ std::string patch_lines(const Measurement& m, const Geometry& g) {
     for (const GlareSource& s : m.sources) {
         const int n = int(number.size()) + 1;
         number[s.group] = n;
-        out += fmt::sprintf("%d %f %f %f %f %.10f %f %f %f %f \n", n, s.pixels, s.x, s.y, s.lum, s.omega, s.P,
-                            s.direction.x, s.direction.y, s.direction.z);
+        out += print("%d %f %f %f %f %.10f %f %f %f %f \n", n, s.pixels, s.x, s.y, s.lum, s.omega, s.P, s.direction.x,
+                     s.direction.y, s.direction.z);
     }
     std::vector<Run> runs = m.runs;  // rows from the bottom, each from the left
     std::sort(runs.begin(), runs.end(), [&](const Run& a, const Run& b) {
@@ -142,13 +156,13 @@ std::string patch_lines(const Measurement& m, const Geometry& g) {
     for (const Run& r : runs)
         for (uint32_t p = r.start; p < r.start + r.length; ++p) {
             const Vec3 d = g.direction(p);
-            out += fmt::sprintf("%d %d %f %f %f \n", int(r.group), number[r.group], d.x, d.y, d.z);
+            out += print("%d %d %f %f %f \n", int(r.group), number[r.group], d.x, d.y, d.z);
         }
     return out;
 }
 
 std::string black_corners(double percent, bool stopping) {
-    return fmt::sprintf(
+    return print(
                " corner pixels are to  %f %% black! \nerror! The image has black corners AND header contains a "
                "perspective view type "
                "definition !!!\n",
@@ -161,8 +175,8 @@ std::string black_corners(double percent, bool stopping) {
 std::string stdout_text(const base::Error& refusal) {
     if (const auto* corners = dynamic_cast<const BlackCorners*>(&refusal)) return black_corners(corners->percent, true);
     const auto* sizes = dynamic_cast<const MaskSize*>(&refusal);
-    return sizes ? fmt::sprintf("resolution main image : %dx%d\nresolution masking image : %dx%d\n", sizes->width,
-                                sizes->height, sizes->mask_width, sizes->mask_height)
+    return sizes ? print("resolution main image : %dx%d\nresolution masking image : %dx%d\n", sizes->width,
+                         sizes->height, sizes->mask_width, sizes->mask_height)
                  : "";
 }
 
@@ -170,7 +184,7 @@ std::string lines(const Measurement& m, const OutputSettings& out, const Reading
     const glare::Settings& settings = reading.plan().settings;
     std::string text;
     if (m.black_corners && *m.black_corners > 70) text += black_corners(*m.black_corners, false);
-    if (out.ev_only && !out.fast) return text + fmt::sprintf("%f\n", m.ev);
+    if (out.ev_only && !out.fast) return text + print("%f\n", m.ev);
     if (settings.patches && settings.patches->mode == 3) return text + patch_lines(m, reading.geometry());
     if (m.band)
         text +=
@@ -180,12 +194,12 @@ std::string lines(const Measurement& m, const OutputSettings& out, const Reading
     if (out.fast == 3) return text;
     const bool detailed = out.detailed || m.mask;
     if (m.mask)
-        text += fmt::sprintf(
+        text += print(
                     "masking:no_pixels,omega,av_lum,median_lum,std_lum,perc_75,perc_95,lum_min,lum_max,pgsv_con,pgsv_"
                     "sat,pgsv,Ev_mask: %d ",
                     m.mask->pixels) +
                 statistics_line(*m.mask) +
-                fmt::sprintf(" %f %f %f %f\n", m.pgsv.contrast, m.pgsv.saturation, m.pgsv.value, m.mask->eye_lux);
+                print(" %f %f %f %f\n", m.pgsv.contrast, m.pgsv.saturation, m.pgsv.value, m.mask->eye_lux);
     if (detailed && m.zone1) text += zone_line(*m.zone1, 1, m.zone1->pixels, " ");
     if (detailed && m.zone2) text += zone_line(*m.zone2, 2, m.zone1->pixels, "  ");  // evalglare repeats zone 1's count
     if (out.fast)
@@ -197,11 +211,11 @@ std::string lines(const Measurement& m, const OutputSettings& out, const Reading
     const double veil = veil_poynter(m.glare);
     if (out.dgp_and_ev) {
         const double corrected = m.dgp_computed * (settings.low_light ? low_light_factor(m.ev) : 1);
-        return text + fmt::sprintf("dgp,dgi,ugr,vcp,cgi,dgp_ext,Ev_calc,abs_max,Lveil: %f %f %f %f %f %f %f %f %f \n",
-                                   corrected, dgi_value, ugr_value, vcp_value, cgi_value, 0., m.ev, m.max_lum, veil);
+        return text + print("dgp,dgi,ugr,vcp,cgi,dgp_ext,Ev_calc,abs_max,Lveil: %f %f %f %f %f %f %f %f %f \n",
+                            corrected, dgi_value, ugr_value, vcp_value, cgi_value, 0., m.ev, m.max_lum, veil);
     }
-    return text + fmt::sprintf("dgp,dgi,ugr,vcp,cgi,Lveil: %f %f %f %f %f %f  \n", m.dgp, dgi_value, ugr_value,
-                               vcp_value, cgi_value, veil);
+    return text + print("dgp,dgi,ugr,vcp,cgi,Lveil: %f %f %f %f %f %f  \n", m.dgp, dgi_value, ugr_value, vcp_value,
+                        cgi_value, veil);
 }
 
 }  // namespace evalglare

@@ -84,7 +84,9 @@ std::vector<uint32_t> mask_pixels(const std::string& file, const Geometry& g) {
 }
 
 double median(std::vector<float>& v) {
-    if (v.empty() || std::any_of(v.begin(), v.end(), [](float x) { return std::isnan(x); })) return nan_value;
+    if (v.empty()) return nan_value;
+    if (const auto nan = std::find_if(v.begin(), v.end(), [](float x) { return std::isnan(x); }); nan != v.end())
+        return *nan;  // with its sign
     const size_t half = v.size() / 2;
     std::nth_element(v.begin(), v.begin() + half, v.end());
     const double upper = v[half];
