@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: BSD-3-Clause
 # setup.sh PARTS: installs the Debian packages that these parts of luxpipe need, if any is missing; does nothing
-# otherwise.  Parts: tools (those that measure), ptrace, tests, demo, fuzz, deb, wheel,
-# chroot, site.
+# otherwise.  Parts: tools (those that measure), ptrace, tests, demo, fuzz, deb, wheel, arm64 (built and tried for ARM
+# on another processor), chroot, site.
 # It says what it will install, then runs `apt-get` (as root, or through sudo), and changes nothing else.
 # `make SETUP=no` leaves it out.  Elsewhere than on Debian and its relatives it only names what is needed.
 set -eu
@@ -20,9 +20,10 @@ for part in "$@"; do
         fuzz) packages="$packages clang" ;;
         wheel) packages="$packages python3-venv" ;;                        # its tools come from the package index
         site) packages="$packages mandoc python3-venv" ;;
+        arm64) packages="$packages g++-aarch64-linux-gnu qemu-user-static" ;;
         chroot) packages="$packages debootstrap" ;;
         deb) packages="$packages dpkg-dev file" ;;                         # find which libraries the programs need
-        *) echo "setup: no part \"$part\": tools, ptrace, tests, demo, fuzz, deb, wheel, chroot, site" >&2
+        *) echo "setup: no part \"$part\": tools, ptrace, tests, demo, fuzz, deb, wheel, arm64, chroot, site" >&2
            exit 1 ;;
     esac
 done
