@@ -27,29 +27,33 @@ class Year:
     Attributes:
         text: vcyear's five lines
         summary: its numbers by name ("DGPe5", "DGPe5.lo", "class" ...), a dictionary for each view
-        lines: the last line of each hour, a dictionary of columns
+        lines: the last line of each hour and state, a dictionary of columns
     """
 
-    def __init__(self, table: str):
-        with tempfile.TemporaryDirectory() as folder:
-            path = Path(folder, "hours.tsv")
-            path.write_text(table)
-            self.text = run("vcyear", [str(path)]).decode()
-            self.summary = [json.loads(line) for line in run("vcyear", ["-format", "jsonl", str(path)]).splitlines()]
+    def __init__(self, table: str, options: Sequence[str] = ()):
         self._table = table
+        self._options = list(options)
+        self.text = self._counted([]).decode()
+        self.summary = [json.loads(line) for line in self._counted(["-format", "jsonl"]).splitlines()]
         names, *rows = (line.split("\t") for line in table.splitlines())
         last = {}
         for row in rows:
             line = {name: cell if name in WORDS else float(cell) for name, cell in zip(names, row)}
-            last[line.get("view", ""), line["sky"]] = line
+            last[line.get("view", ""), line.get("state", ""), line["sky"]] = line
         self.lines: list[dict[str, Any]] = list(last.values())
+
+    def _counted(self, options: Sequence[str]) -> bytes:
+        with tempfile.TemporaryDirectory() as folder:
+            table = Path(folder, "hours.tsv")
+            table.write_text(self._table)
+            return run("vcyear", [*self._options, *options, str(table)])
 
     def __str__(self) -> str:
         return self.text
 
     @property
     def hours(self) -> pandas.DataFrame:
-        """A pandas table, a row for each hour and view, by date (of 2001) and hour."""
+        """A pandas table, a row for each hour, view and state, by date (of 2001) and hour."""
         try:
             import pandas
         except ImportError:
@@ -61,10 +65,7 @@ class Year:
 
     def plot(self, path: PathLike) -> None:
         """Write the heat map of days by hours, .svg or .png."""
-        with tempfile.TemporaryDirectory() as folder:
-            table = Path(folder, "hours.tsv")
-            table.write_text(self._table)
-            run("vcyear", ["-plot", os.fspath(path), str(table)])
+        self._counted(["-plot", os.fspath(path)])
 
     def _repr_svg_(self) -> str:
         with tempfile.TemporaryDirectory() as folder:
@@ -77,7 +78,7 @@ class Year:
 
 def year(scene: PathLike | Sequence[PathLike], view: PathLike | Sequence[str], weather: PathLike, *,
          hours: str = "Mo-Fr 8-18", size: int | tuple[int, int] = 64, frames: int = 33, seed: int = 1,
-         options: Sequence[str] = ()) -> Year:
+         states: Sequence[str] = (), shades: str = "", options: Sequence[str] = ()) -> Year:
     """Render the hours of a weather file, all from one set of paths, and return a `Year`.
 
     Args:
@@ -88,6 +89,9 @@ def year(scene: PathLike | Sequence[PathLike], view: PathLike | Sequence[str], w
         size: pixels, of a square or (width, height)
         frames: of each hour, frame 0 among them
         seed: of the random numbers
+        states: of blinds, as "half=half.rad", from the most open one on (ptrace -state)
+        shades: by which rules they move, as "glare .40" (vcyear -shades); without rules the first state is counted, and
+            all are in the lines
         options: further options of ptrace
 
     Examples:
@@ -98,7 +102,8 @@ def year(scene: PathLike | Sequence[PathLike], view: PathLike | Sequence[str], w
     """
     width, height = width_and_height(size)
     trace = [*view_options(view), "-x", str(width), "-y", str(height), "-seed", str(seed), "-frames", str(frames),
-             "-wea", os.fspath(weather), "-hours", hours, *options, *_files(scene)]
+             "-wea", os.fspath(weather), "-hours", hours, *(word for state in states for word in ("-state", state)),
+             *options, *_files(scene)]
     said = {name: tempfile.TemporaryFile() for name in ("ptrace", "ptaccum", "vcmetrics")}
     words = {"ptrace": trace, "ptaccum": ["-every", "x2/8"],
              "vcmetrics": ["-metrics", "Ev,DGPf,DGP.px,DGPf.px,pixels", "-ci", "95", "-last"]}
@@ -123,4 +128,6 @@ def year(scene: PathLike | Sequence[PathLike], view: PathLike | Sequence[str], w
         pipe.close()
         for text in said.values():
             text.close()
-    return Year(table)
+    if states and not shades:
+        return Year(table, ["-state", states[0].partition("=")[0]])
+    return Year(table, ["-shades", shades] if shades else [])

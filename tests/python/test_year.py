@@ -49,6 +49,21 @@ def test_its_map_is_shown_and_saved(year, tmp_path):
     assert (tmp_path / "year.png").read_bytes()[1:4] == b"PNG"
 
 
+def test_states_of_blinds_and_the_rules_that_move_them(weather, tmp_path):
+    shut = tmp_path / "shut.rad"
+    shut.write_text("void plastic p 0 0 5 .2 .2 .2 0 0\n"
+                    "p polygon shut 0 0 12 .1 .06 .5  3.9 .06 .5  3.9 .06 2.7  .1 .06 2.7\n")
+    states = ["open", f"shut={shut}"]
+    options = dict(hours="all", size=24, frames=4, states=states)
+    still = luxpipe.year(SCENE[:2], VIEW, weather, **options)
+    assert [line["state"] for line in still.lines] == ["open"] * 3 + ["shut"] * 3
+    assert "shades" not in str(still) and still.summary[0]["hours"] == 3
+    moved = luxpipe.year(SCENE[:2], VIEW, weather, shades="glare .2", **options)
+    assert "why       glare .2 in 2 hours" in str(moved) and moved.summary[0]["shut"] == 2
+    assert moved.summary[0]["DGPe5"] < still.summary[0]["DGPe5"]
+    assert "shades shut: glare .2" in moved._repr_svg_()
+
+
 def test_its_table(year):
     pytest.importorskip("pandas")
     hours = year.hours

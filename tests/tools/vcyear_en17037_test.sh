@@ -34,6 +34,15 @@ check 'each sensor with its share of the daylight hours' '
     sed -n 2p each | grep -q "	0.5	0.5	0.5	0.5	0.5	0.5	0	0	0	0	0	0$"'
 check 'below a rooflight the target is on 95 %' '
     vcyear -en17037 site.wea -rooflight room.tsv > says; grep -q "^provision EN 17037 none: 300 lx on 50.0 % of" says'
+check 'with shades that a schedule shuts in the sixth bright hour nothing reaches half of the hours' '
+    { sed "1s/$/	state/; 2,\$s/$/	open/" room.tsv; sed "1d; s/$/	shut/" room.tsv; } |
+        awk "BEGIN { OFS = FS = \"	\" } \$7 == \"shut\" { \$4 = \$5 = \$6 = 0 } { print }" > states.tsv
+    cut -f 1 room.tsv | sort -u | sed -n "/_1430/s/$/ shut/p" > shut.txt
+    vcyear -w- -en17037 site.wea -shades "schedule shut.txt" states.tsv > says
+    grep -q "^provision EN 17037 none: 300 lx on 0.0 %, 100 lx on 0.0 % of" says
+    vcyear -w- -en17037 site.wea -state open states.tsv | grep -q "^provision EN 17037 minimum: 300 lx on 50.0 %"'
+check_error 'sunlight is of one state' 1 '^vcyear: -sunlight: is of one state of shades: -state says which$' '
+    vcyear -w- -sunlight site.wea 11 -shades "schedule shut.txt" states.tsv'
 check_error 'office hours alone are not enough' 1 \
     '^vcyear: room: lacks [0-9]* of the 4380 hours that have the most diffuse light in site.wea, 0101_' '
     grep -vE "_(08|15|16)30" room.tsv > part.tsv; vcyear -w- -en17037 site.wea part.tsv'

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Shades that move, from the scene to the year: tables of states, rules, and what they come to.
 . "${TOP:?}/tests/lib.sh"
-needs ptrace ptaccum vcmetrics vcyear
+needs ptrace ptaccum vcmetrics vcyear python3
 {
     printf 'place Here\nlatitude 39.74\nlongitude 105.18\ntime_zone 105\n'
     printf 'site_elevation 1829\nweather_data_file_units 1\n'
@@ -47,6 +47,20 @@ check 'sensors with shades that glare closes at a view' '
     ptrace -w- -vta -vp 0 0 .9 -vd 0 -1 0 -vu 0 0 1 -vv 180 -vh 180 -x 16 -y 16 -wea y.wea -frames 5 "${states[@]}" \
         paint.rad 2> said | ptaccum -every x2 | vcmetrics -W- -metrics Ev,DGPf,pixels -ci 95 -last > eye.tsv
     vcyear -w- -by eye.tsv -shades "glare .40" all.tsv > seen; grep -q "^why       glare .40 in [0-9]* hours" seen'
+# The rows of a state, without the column.
+alone() {
+    python3 -c 'import sys
+rows = [line.rstrip("\n").split("\t") for line in open(sys.argv[1])]
+at = rows[0].index("state")
+for row in rows:
+    if row[at] in ("state", sys.argv[2]): print(*row[:at], *row[at + 1:], sep="\t")' "$@"
+}
+check 'likewise with a second table, and views of open shades alone' '
+    alone all.tsv open > o.tsv; alone all.tsv whole > w.tsv; alone eye.tsv open > e.tsv
+    vcyear -w- -closed w.tsv -by e.tsv o.tsv > two; grep -q "^why       glare 0.4 in [1-9][0-9]* hours" two
+    grep -q "^shades    open [0-9.]* %.*, closed [1-9]" two'
+check_error 'of sensors, views close shades' 1 '^vcyear: glare 0.4: reads a table of views: -by$' '
+    vcyear -w- -closed w.tsv o.tsv'
 check_error 'which needs that table' 1 '^vcyear: glare: reads a table of views: -by$' 'shade -shades glare'
 check_error 'tables of several states need rules' 1 '^vcyear: all.tsv: has states "open" and "half": -shades says' \
     'vcyear all.tsv'

@@ -29,11 +29,8 @@ std::vector<year::Grid> direct_of(const std::vector<year::Grid>& read, const std
 }
 
 void refuse_options_of_views(const Options& o) {
-    const std::pair<const char*, bool> of_views[] = {{"-next", o.next},
-                                                     {"-worst", o.worst > 0},
-                                                     {"-view", !o.view.empty()},
-                                                     {"-closed", !o.closed.empty()},
-                                                     {"-report", !o.report.empty()}};
+    const std::pair<const char*, bool> of_views[] = {
+        {"-next", o.next}, {"-worst", o.worst > 0}, {"-view", !o.view.empty()}, {"-report", !o.report.empty()}};
     for (const auto& [name, given] : of_views)
         if (given) base::fail(name, "is of views, not of sensors");
 }
@@ -111,6 +108,7 @@ private:
 std::string answer_of_sensors(const Options& o, const Counted& c) {
     refuse_options_of_views(o);
     const std::vector<year::Grid>& grids = c.tables.grids;
+    if (!o.sun_steps.empty() && c.shades) base::fail("-sunlight", "is of one state of shades: -state says which");
     if (!o.sun_steps.empty()) return sunlight(o, grids);
     std::vector<year::Grid> direct;
     if (!o.direct.empty()) direct = direct_of(c.direct, grids);
@@ -135,6 +133,10 @@ std::string answer_of_sensors(const Options& o, const Counted& c) {
     size_t to_come = 0;
     for (const year::GridYear& y : years) to_come += y.to_come;
     text += year::rest_line(to_come, o.command, o.tables);
-    if (o.leed) text += year::lines_of(year::judge_leed(years, o.goals));
+    if (o.leed) {
+        year::Leed leed = year::judge_leed(years, o.goals);
+        if (!c.shades) leed.lacks.push_back("shades stand still, LM-83 moves them: -shades 'sun 2% 1000'");
+        text += year::lines_of(leed);
+    }
     return o.format || o.each ? report::table(lines, o.format.value_or(report::TableFormat::tsv)) : text;
 }

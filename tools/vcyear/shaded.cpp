@@ -43,6 +43,13 @@ void add_closed(const Options& o, States& states) {
     states.push_back({"closed", year::read_tables(o.closed)});
 }
 
+// -by: beside -closed a table without states is that of open shades.
+States read_by(const Options& o, const std::string& open) {
+    States by = year::read_states(o.by);
+    if (!o.closed.empty() && by.size() == 1 && by[0].state.empty()) by[0].state = open;
+    return by;
+}
+
 std::vector<year::ShadeRule> rules_of(const Options& o) {
     if (!o.shades.empty()) return year::read_shade_rules(o.shades);
     return year::parse_shade_rules(fmt::format("glare {:g}", o.close_dgp), "-close");
@@ -69,7 +76,7 @@ Counted read_counted(const Options& o) {
     const year::ShadeStates counted(std::move(states));
     std::optional<year::ShadeStates> direct, by;
     if (!o.direct.empty()) direct.emplace(year::read_states(o.direct));
-    if (!o.by.empty()) by.emplace(year::read_states(o.by));
+    if (!o.by.empty()) by.emplace(read_by(o, counted.all().front().state));
     const year::ShadeSources sources{by ? &*by : &counted, direct ? &*direct : nullptr};
     c.shades = year::control(counted, sources, rules_of(o));
     c.groups = year::group_years(*c.shades);
