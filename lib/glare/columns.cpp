@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 #include "base/error.h"
+#include "glare/actions.h"
 #include "glare/refuse_column.h"
 
 namespace glare {
@@ -292,7 +293,8 @@ std::vector<std::string> compared_columns() {
 std::string column_names() {
     std::string out;
     for (const Entry& e : entries) out += std::string(e.name) + " ";
-    return out + "CR TAL mean median min max share (of regions) band mask zone1 zone2";
+    return out + "CR TAL mean median min max share (of regions) band mask zone1 zone2 " + action_column_names() +
+           " (of actions)";
 }
 
 }  // namespace glare

@@ -2,6 +2,8 @@
 // Makes and compares streams for the shell tests, so that they need no renderer.
 //   mkstream frames first last [width height seed view]   frames like ptrace's, pixels from (seed, frame, pixel) alone
 //   mkstream numbers first last                           8 x 8; every pixel of frame 0 is 10, of frame k is k
+//   mkstream action name bands unit factor                the frames of stdin as those of an action: luminance times it
+//   mkstream last frame                                   the frames of stdin, each with LASTFRAME=
 //   mkstream show file                                    a line for each picture: size, FRAMES, RANGE, mean of red
 //   mkstream differ a b                                   largest difference of two pictures, relative to the pixel
 #include <fmt/format.h>
@@ -62,6 +64,27 @@ int numbers(int argc, char** argv) {
     return 0;
 }
 
+int action(int argc, char** argv) {
+    if (argc < 6) return 1;
+    image::StreamReader in("-");
+    for (image::Picture p; in.next(p);) {
+        p.header.action = image::Action{argv[2], std::atoi(argv[3]), argv[4]};
+        for (size_t i = 0; i < p.rgb.size(); i += 3)
+            std::fill_n(&p.rgb[i], 3, float(std::atof(argv[5]) * image::luminance(&p.rgb[i]) / image::lumens_per_watt));
+        image::write_picture_stdout(p, image::Format::flt);
+    }
+    return 0;
+}
+
+int last(int argc, char** argv) {
+    image::StreamReader in("-");
+    for (image::Picture p; argc > 2 && in.next(p);) {
+        p.header.last_frame = std::atol(argv[2]);
+        image::write_picture_stdout(p, image::Format::flt);
+    }
+    return 0;
+}
+
 int show(int argc, char** argv) {
     image::StreamReader in(argc > 2 ? argv[2] : "-");
     for (image::Picture p; in.next(p);) {
@@ -91,8 +114,10 @@ int main(int argc, char** argv) {
         const std::string what = argc > 1 ? argv[1] : "";
         if (what == "frames") return frames(argc, argv);
         if (what == "numbers") return numbers(argc, argv);
+        if (what == "action") return action(argc, argv);
+        if (what == "last") return last(argc, argv);
         if (what == "show") return show(argc, argv);
         if (what == "differ") return differ(argc, argv);
-        base::fail(what, "is not one of frames numbers show differ");
+        base::fail(what, "is not one of frames numbers action last show differ");
     });
 }

@@ -64,12 +64,34 @@ bool begins(const image::Header& before, const image::Header& next) {
            *next.frames <= *before.frames;
 }
 
+// What is measured in each picture of both sides: ordinary ones, or those of one action.
+struct Compared {
+    std::string illuminance;  // of the action; empty: ordinary pictures
+    SharedPlan measured;
+    std::vector<Column> columns;
+};
+Compared compared_in(const RunPlan& plan) {
+    const ActionPlan& of = plan.actions;
+    if (of.empty()) return {"", plan.measured, plan.columns};
+    const auto is_printed = [](const Column& c) { return c.printed; };
+    const std::vector<Column> ordinary = ordinary_columns(plan);
+    if (of.kinds.size() > 1 || of.has_ratio() || std::any_of(ordinary.begin(), ordinary.end(), is_printed))
+        base::fail("-difference", "compares pictures of one action, or ordinary ones: -metrics names columns of these");
+    Compared out{of.kinds[0].name, of.kinds[0].measured, {}};
+    for (const ActionPlan::Cell& cell : of.cells) {
+        out.columns.push_back(of.kinds[0].columns[cell.place]);
+        out.columns.back().name = cell.column.name;
+    }
+    return out;
+}
+
 // Rows are the last sum of each picture, or every one.
 Side measured(const Options& o, const std::string& file, bool every) {
     const std::string place = place_of(file, 0).text;
     const RunPlan plan = plan_run(o);
-    Side out{{place, {}, {every ? "frame" : "picture"}, {}, {}, {}}, plan.columns, {}};
-    for (const Column& c : plan.columns) out.table.names.push_back(c.name);
+    const Compared compared = compared_in(plan);
+    Side out{{place, {}, {every ? "frame" : "picture"}, {}, {}, {}}, compared.columns, {}};
+    for (const Column& c : compared.columns) out.table.names.push_back(c.name);
     Reading reading;
     Sum sum;
     image::Picture last;  // which `reading` is of
@@ -77,9 +99,9 @@ Side measured(const Options& o, const std::string& file, bool every) {
     const auto finish = [&] {
         const Measurement m = measure(reading);
         sum.ends = true;
-        if (!every) sum = look(std::move(sum), reading, m, plan.columns, 0);
+        if (!every) sum = look(std::move(sum), reading, m, compared.columns, 0);
         std::vector<double> values;
-        for (const Column& c : plan.columns) {
+        for (const Column& c : compared.columns) {
             const double unbiased = sum.looked ? sum.look.estimate(values.size()).value : std::nan("");
             const bool unknown = every && c.printed_unbiased && !c.of_filled;
             values.push_back(std::isnan(unbiased) && !unknown ? c.value(m) : unbiased);
@@ -93,8 +115,9 @@ Side measured(const Options& o, const std::string& file, bool every) {
     for (image::Picture next; reader.next(next); last = std::move(next), ++index) {
         require_pairs(plan);
         require_measurable(next, place_of(file, index).text);
+        require_pictures_of(compared.illuminance, next.header, place_of(file, index).text);
         if (index && (every || begins(last.header, next.header))) finish();
-        reading = read(plan.measured, next, place, o.view, std::move(reading));
+        reading = read(compared.measured, next, place, o.view, std::move(reading));
         if (!every) sum = add(std::move(sum), next, reading, place, true);
     }
     if (index) finish();

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <tuple>
+#include "actions.h"
 #include "base/command_pipe.h"
 #include "base/error.h"
 #include "base/run.h"
@@ -67,6 +68,26 @@ bool follow(const Options& o, const Verdict& v) {
     return v.stops;
 }
 
+struct Printed {
+    Heading heading;
+    std::optional<Row> held_back;  // with -last, until the pictures of its actions have come
+};
+
+// With another row; null: the last one has come.
+Printed with_row(const Options& o, const RunState& run, Printed p, const Row* row) {
+    const auto print_row = [&](const Row& r) {
+        RowText out = text_of(o, std::move(p.heading), run, r);
+        p.heading = std::move(out.heading);
+        if (!out.names.empty()) print(out.names);
+        print(out.lines);
+    };
+    if (p.held_back && !(row && row->group == p.held_back->group)) print_row(*p.held_back);
+    p.held_back.reset();
+    if (row && o.last && !row->complete) p.held_back = *row;
+    else if (row) print_row(*row);
+    return p;
+}
+
 // Whether the run ends.
 bool measures(const Options& o, GridState& state, image::Picture& picture, const PicturePlace& place,
               const RunState& run) {
@@ -90,6 +111,12 @@ void tell_if_black(const Row& last, const Row* next) {
     base::warn(place, std::string("the picture is black: ") + why_black);
 }
 
+// Of numbers alone.
+bool is_table(const Options& o) {
+    return o.mode == OutputMode::vcmetrics && !o.list_sources && o.check_file.empty() && o.over_file.empty() &&
+           o.report_file.empty();
+}
+
 int end_of(const Options& o, const GridState& s) {
     if (const std::string text = rows_of_points(o, s); !text.empty()) print(text);
     tell_if_alone(o, s);
@@ -103,20 +130,25 @@ image::Pixels pixels_for(const Options& o) {
     return o.evalglare_bug_compatible ? image::Pixels::exposed : image::Pixels::radiance;
 }
 
-int measure_all(const Options& o) {
+int measure_all(const Options& asked) {
+    Options o = asked;
     const bool from_files = !o.files.empty();
     if (!from_files && base::stdin_is_terminal())
         base::say_on_terminal("vcmetrics: waits for pictures on the standard input; vcmetrics -help tells more");
     RunState run;
     bool planned = !may_measure_grids(o);
     if (planned) run.plan = plan_run(o);
-    Heading heading;
+    Printed printed;
     GridState grids;
     image::Picture picture, copy, shown;  // measuring uses up a picture's pixels; shown: that of the last row
     std::optional<Row> last;
     const bool shows = !o.over_file.empty() || !o.report_file.empty();
     const auto end = [&](int status) {
+        printed = with_row(o, run, std::move(printed), nullptr);
         if (last) tell_if_black(*last, nullptr);
+        if (last && shows && shown.rgb.empty())
+            base::fail(last->file == "-" ? "stdin" : last->file,
+                       "-report and -over show the ordinary picture, which is not there");
         if (last && !o.report_file.empty()) write_report(o, shown, run, *last);
         return status;
     };
@@ -134,9 +166,12 @@ int measure_all(const Options& o) {
             }
             if (!o.over_file.empty() && image::ending_of(o.over_file) != ".png")
                 base::fail("-over", "writes a .png of pictures of a view");
+            if (is_table(o) && o.metrics.empty() && picture.header.action && !last)
+                o.metrics = default_columns_of(*picture.header.action), planned = false;
             if (!planned) run.plan = plan_run(o);
             planned = true;
-            if (shows) copy = picture;
+            const bool is_shown = shows && !run.plan.actions.kind_of(picture.header);
+            if (is_shown) copy = picture;
             std::optional<Row> row;
             try {
                 std::tie(run, row) = step(o, std::move(run), picture, place_of(file, index));
@@ -145,13 +180,10 @@ int measure_all(const Options& o) {
             }
             if (row) {
                 if (!o.check_file.empty()) write_check_picture(o, picture, run, *row);
-                RowText out = text_of(o, std::move(heading), run, *row);
-                heading = std::move(out.heading);
-                if (!out.names.empty()) print(out.names);
-                print(out.lines);
+                printed = with_row(o, run, std::move(printed), &*row);
                 if (last) tell_if_black(*last, &*row);
-                if (shows) std::swap(shown, copy);
-                if (!o.over_file.empty()) draw_measured(o, shown, run, row->measurement);
+                if (is_shown) std::swap(shown, copy);
+                if (is_shown && !o.over_file.empty()) draw_measured(o, shown, run, row->measurement);
                 last = std::move(row);
                 if (follow(o, last->verdict)) return end(status(o, run.progress));
             }
@@ -159,6 +191,7 @@ int measure_all(const Options& o) {
         }
         run.sum = end_input(std::move(run.sum), place_of(file, 0).text, run.plan.needs_looks && run.plan.reports);
     }
+    run.group = end_group(run.plan, std::move(run.group));
     say_end(o, grids.columns.empty() ? run.progress : grids.progress);
     if (!grids.columns.empty()) return end_of(o, grids);
     if (!planned) plan_run(o);                                             // says what is wrong

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "actions.h"
 #include "base/error.h"
 #include "base/split.h"
 #include "glare/formulas.h"
@@ -19,31 +20,6 @@ using namespace report;
 
 namespace {
 
-// The interval lies around the value without bias, which the column itself may show or not.  Between looks this is
-// the last look's value and interval; a value that has no bias is the present frame's, and its interval narrows as
-// frames grow.
-Number number_of(const Options& o, const Column& c, const uncertainty::Estimate& e, const Measurement& m,
-                 int64_t frame) {
-    const bool shows_estimate = c.printed_unbiased && !(c.of_filled && std::isnan(e.value));
-    Number out{shows_estimate ? e.value : c.value(m), 0, {std::nan(""), std::nan("")}, {std::nan(""), 0}};
-    out.middle = c.has_bias() ? e.value : out.value;
-    const int64_t n = c.has_bias() ? e.frames : frame;
-    if (o.ci) out.off = e.around(1 - *o.ci, n), out.error = {e.error_known_after(n), e.degrees};
-    return out;
-}
-
-Number difference_of(const Options& o, const uncertainty::Estimate& d) {
-    return {d.value, d.value, d.around(1 - o.ci.value_or(.95), d.frames), {d.error_known_after(d.frames), d.degrees}};
-}
-
-// Of a picture without values.
-Number unknown_number(const Column& c) {
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-    Number n{c.words ? double(dgp_class(nan)) : nan, nan, {nan, nan}, {}};
-    n.error.error = nan;
-    return n;
-}
-
 // ptrace -wea states the illuminances of each hour that has light (ptrace(1)).
 bool is_dark_hour(const image::Header& header) {
     const auto states = [&](const char* name) {
@@ -53,21 +29,15 @@ bool is_dark_hour(const image::Header& header) {
     return states("IRRADIANCE= ") && !states("ILLUMINANCE= ");
 }
 
-Row row_of(const Options& o, const RunState& run, const image::Header& header, const PicturePlace& place,
-           Measurement m) {
-    Row out;
-    out.file = place.file, out.view = header.view_name, out.sky = header.sky_name, out.state = header.state,
-    out.edit = header.edit;
-    out.paths = paths_of(header);
-    out.hour = hour_of(header);
-    out.frame = frame_number(header, place);
+Row ordinary_row(const Options& o, const RunState& run, const image::Header& header, const PicturePlace& place,
+                 Measurement m) {
+    Row out = row_of(run, header, place);
     out.may_be_black =
         !header.unknown.empty() || is_dark_hour(header) || (header.frames == 0 && header.last_frame != 0);
-    out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - run.start).count();
-    for (size_t k = 0; k < run.plan.columns.size(); ++k) {
+    for (size_t k = 0; k < run.plan.ordinary; ++k) {
         const Column& c = run.plan.columns[k];
         const uncertainty::Estimate& e = run.sum.look.estimate(k);
-        out.numbers.push_back(header.unknown.empty() ? number_of(o, c, e, m, out.frame) : unknown_number(c));
+        out.numbers.push_back(header.unknown.empty() ? number_of(o, c, e, c.value(m), out.frame) : unknown_number(c));
         if (prints_halves(o, header)) out.numbers.back().error.halves = halves_of(run.sum.look, k, c.noise);
         if (!o.against.empty()) out.differences.push_back(difference_of(o, run.edits.difference(k)));
         if (c.printed && e.unreliable) out.heavy_tailed += (out.heavy_tailed.empty() ? "" : " ") + c.name;
@@ -76,7 +46,24 @@ Row row_of(const Options& o, const RunState& run, const image::Header& header, c
     return out;
 }
 
+// All of its columns are of actions.
+bool is_silent(const RunPlan& plan) {
+    const std::vector<Column> columns = ordinary_columns(plan);
+    return !plan.actions.empty() && std::none_of(columns.begin(), columns.end(), [](auto& c) { return c.printed; });
+}
+
 }  // namespace
+
+Row row_of(const RunState& run, const image::Header& header, const PicturePlace& place) {
+    Row out;
+    out.file = place.file, out.view = header.view_name, out.sky = header.sky_name, out.state = header.state,
+    out.edit = header.edit;
+    out.paths = paths_of(header);
+    out.hour = hour_of(header);
+    out.frame = frame_number(header, place);
+    out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - run.start).count();
+    return out;
+}
 
 PicturePlace place_of(const std::string& file, long index) {
     const std::string name = file == "-" ? "stdin" : file;
@@ -105,6 +92,8 @@ std::pair<RunState, std::optional<Row>> step(const Options& o, RunState run, ima
                                              const PicturePlace& place) {
     if (p.header.edited == "preview") return {std::move(run), std::nullopt};
     require_measurable(p, place.text);
+    run.group = with_picture(run.plan, std::move(run.group), p.header, place);
+    if (is_passed_over(run.plan, run.group, p.header, place)) return {std::move(run), std::nullopt};
     const std::string edit = p.header.edit && o.go_on ? fmt::format("edit {}", *p.header.edit) : "";
     run.progress =
         begin(o, std::move(run.progress), edit.empty() ? image::label(p.header) : edit, frame_number(p.header, place));
@@ -116,26 +105,31 @@ std::pair<RunState, std::optional<Row>> step(const Options& o, RunState run, ima
     } else {
         require_pairs(run.plan);
     }
+    if (const auto kind = run.plan.actions.kind_of(p.header)) return step_of_action(o, std::move(run), *kind, p, place);
     const RunPlan& plan = run.plan;
     run.reading = read(plan.measured, p, place.text, o.view, std::move(run.reading));
     const bool passes = o.last && is_followed(p.header, frame_number(p.header, place));
     if (plan.needs_looks) run.sum = add(std::move(run.sum), p, run.reading, place.text, plan.reports, passes);
     if (passes) return {std::move(run), std::nullopt};
     Measurement m = measure(run.reading);
+    const std::vector<Column> columns = ordinary_columns(plan);
     if (plan.needs_looks) {
-        run.sum = look(std::move(run.sum), run.reading, m, plan.columns, plan.first_look);
+        run.sum = look(std::move(run.sum), run.reading, m, columns, plan.first_look);
     }
     if (!o.against.empty()) {
         run.edits = begin(std::move(run.edits), o.against, p.header.edit.value_or(0));
         if (run.sum.looked)
-            run.edits = add(std::move(run.edits), {run.sum.look.replicates, plan.keys, quantities_of(plan.columns)});
+            run.edits = add(std::move(run.edits), {run.sum.look.replicates, plan.keys, quantities_of(columns)});
     }
-    Row row = row_of(o, run, p.header, place, std::move(m));
+    run.group.ordinary = ordinary_row(o, run, p.header, place, std::move(m));
+    run.group.estimates = run.sum.look.estimates, run.group.moments = bool(run.reading.lum.moments);
+    if (is_silent(plan)) return {std::move(run), std::nullopt};
+    Row row = with_actions(o, run, p.header, *run.group.ordinary);
     if (o.mode == OutputMode::evalglare || o.list_sources) return {std::move(run), std::move(row)};
     const Luminance& lum = run.reading.lum;
-    const MeasuredSum sum{row.frame, row.seconds, run.sum.looked ? &run.sum.look : nullptr, bool(lum.moments),
-                          lum.width, lum.height,  p.header.last_frame == row.frame};
-    std::tie(run.progress, row.verdict) = decide(o, rule_state(plan.rule, sum), std::move(run.progress), sum);
+    const MeasuredSum sum{
+        row.frame, row.seconds, nullptr, bool(lum.moments), lum.width, lum.height, p.header.last_frame == row.frame};
+    std::tie(run.progress, row.verdict) = judge(o, run, std::nullopt, sum, run.sum.looked);
     row.settled = run.progress.held && !plan.waits;
     return {std::move(run), std::move(row)};
 }

@@ -3,24 +3,16 @@
 // after.
 #pragma once
 #include <chrono>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 #include "image/picture.h"
+#include "numbers.h"
 #include "report/against.h"
-#include "report/errors.h"
 #include "report/sum.h"
 #include "run_plan.h"
-
-struct RunState {
-    RunPlan plan;
-    std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
-    glare::Reading reading;  // of the last picture
-    report::Sum sum;         // which it is a step of
-    report::Edits edits;
-    Progress progress;
-};
 
 // Where a picture comes from.
 struct PicturePlace {
@@ -33,12 +25,6 @@ int64_t frame_number(const image::Header& header, const PicturePlace& place);
 // Does a sum of the same picture follow this one?  Unknown: no.
 bool is_followed(const image::Header& header, int64_t frame);
 
-// A value, and the interval around `middle`, which may be another one.
-struct Number {
-    double value, middle;
-    uncertainty::Interval off;  // nan: none
-    report::NumberError error;  // likewise
-};
 struct Row {
     std::string file, view, sky, state;  // view, sky, state: their names
     std::string paths;                   // the same in rows that share them; empty: none
@@ -53,7 +39,48 @@ struct Row {
     bool may_be_black = false;  // no values, an hour without daylight, or the light of paths may come with later frames
     glare::Measurement measurement;
     Verdict verdict;
+    int group = 0;         // rows of an ordinary picture and of its actions have the same one
+    bool complete = true;  // no picture of an action is to come that would fill its cells
 };
+
+constexpr uncertainty::Estimate no_estimate{std::numeric_limits<double>::quiet_NaN(),
+                                            std::numeric_limits<double>::quiet_NaN()};
+
+// The pictures of one action that belong to the ordinary picture before them, up to the present one.
+struct ActionPart {
+    glare::Reading reading;
+    report::Sum sum;
+    std::optional<report::Look> look;  // the last one
+    std::vector<Number> numbers;       // of the kind's columns
+    bool seen = false, ended = false;
+    int64_t frames = -1;
+    std::string place;
+};
+// An ordinary picture and those of actions of the same view, sky, state and hour.
+struct Group {
+    int number = 0;
+    std::string label, file;  // file: of the ordinary picture; empty: there is none
+    std::optional<int64_t> edit;
+    std::optional<Row> ordinary;                       // its last row
+    std::vector<uncertainty::Estimate> estimates;      // of ordinary columns
+    bool moments = false;                              // it has them
+    std::vector<uncertainty::Estimate> ratios;         // of the plan's cells, at the last look
+    std::vector<ActionPart> actions;                   // of the plan's kinds
+    bool told_missing = false, told_other_ev = false;  // in this run
+};
+
+struct RunState {
+    RunPlan plan;
+    std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
+    glare::Reading reading;  // of the last ordinary picture
+    report::Sum sum;         // which it is a step of
+    report::Edits edits;
+    Group group;
+    Progress progress;
+};
+
+// Names, frame and time of a picture's row.
+Row row_of(const RunState& run, const image::Header& header, const PicturePlace& place);
 
 // Throws Error for a picture that cannot be measured.
 void require_measurable(const image::Picture& picture, const std::string& place);

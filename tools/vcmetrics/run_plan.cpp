@@ -83,9 +83,12 @@ bool contains(const std::vector<std::string>& all, const std::string& one) {
 }
 
 // Column, rule and looks for these regions.
-void choose_columns(const Options& o, const std::vector<std::string>& regions, RunPlan& plan, Requirements& required) {
+void choose_columns(const Options& o, const std::vector<std::string>& regions, RunPlan& plan, glare::Plan& measured) {
+    const bool table = o.mode == OutputMode::vcmetrics && !o.list_sources;
+    const SplitNames names = table ? split_names(o.metrics) : SplitNames{o.metrics, {}};
+    const bool none_ordinary = names.ordinary.empty() && !names.of_actions.empty();
     ColumnChoice choice;
-    choice.names = o.metrics;
+    choice.names = none_ordinary ? std::vector<std::string>{"Ev"} : names.ordinary;
     choice.accelerad = o.mode == OutputMode::accelerad;
     choice.regions = regions;
     choice.regions_come = !o.regions_file.empty();
@@ -94,8 +97,13 @@ void choose_columns(const Options& o, const std::vector<std::string>& regions, R
     for (const ContrastPair& pair : plan.pairs)
         if (contains(regions, pair.low) && contains(regions, pair.high)) choice.pairs.push_back(pair);
     choice.pairs_come = !plan.pairs.empty();
-    plan.columns = glare::choose_columns(choice, o.settings, required);
-    plan.rule = stop_rule(o, plan.columns);
+    if (!names.of_actions.empty()) choice.hidden.push_back("Ev");  // that by V is compared with it
+    plan.columns = glare::choose_columns(choice, o.settings, measured.requirements);
+    if (none_ordinary) plan.columns[0].printed = false;
+    plan.ordinary = plan.columns.size();
+    plan.actions = plan_actions(names.of_actions, measured, choice);
+    for (const ActionPlan::Cell& cell : plan.actions.cells) plan.columns.push_back(cell.column);
+    plan.rule = stop_rule(o, o.until, plan.columns);
 
     plan.keys.clear();
     bool shown = o.ci || !o.against.empty();
@@ -107,6 +115,7 @@ void choose_columns(const Options& o, const std::vector<std::string>& regions, R
         shown |= c.printed && c.printed_unbiased;
         plan.reports |= c.printed_unbiased && !c.of_filled;
     }
+    plan.keys.resize(plan.ordinary);
     plan.needs_looks = shown || !o.until.empty();
     plan.first_look = shown ? 0 : uncertainty::least_frames;
 }
@@ -127,8 +136,8 @@ RunPlan plan_run(const Options& o) {
     for (const std::string& text : o.contrast_pairs) out.pairs.push_back(parse_pair(text));
     if (o.regions_file.empty() || (!regions.empty() && !measured.draw))  // none come later
         for (const ContrastPair& pair : out.pairs) require_regions(pair, regions);
+    choose_columns(o, regions, out, measured);
     Requirements& required = measured.requirements;
-    choose_columns(o, regions, out, required);
     if (o.mode == OutputMode::evalglare)
         required = require::sources | (o.evalglare.detailed || o.settings.mask_file ? require::medians : 0);
     if (o.list_sources || !o.check_file.empty() || !o.over_file.empty() || !o.report_file.empty())
@@ -139,6 +148,10 @@ RunPlan plan_run(const Options& o) {
     }
     out.measured = make_plan(std::move(measured));
     return out;
+}
+
+std::vector<Column> ordinary_columns(const RunPlan& plan) {
+    return {plan.columns.begin(), plan.columns.begin() + std::ptrdiff_t(plan.ordinary)};
 }
 
 void require_pairs(const RunPlan& plan) {
@@ -172,10 +185,10 @@ RunPlan with_present_regions(const Options& o, RunPlan plan) {
         measured.regions = std::move(all);
         RunPlan next = plan;
         ++next.reading;
-        Requirements required = 0;
-        choose_columns(o, region_names(measured), next, required);
+        const Requirements before = measured.requirements;
+        choose_columns(o, region_names(measured), next, measured);
         measured.requirements =
-            (measured.requirements & ~require::regions_in_full) | (required & require::regions_in_full);
+            (before & ~require::regions_in_full) | (measured.requirements & require::regions_in_full);
         next.measured = make_plan(std::move(measured));
         return next;
     } catch (const base::Error& e) {

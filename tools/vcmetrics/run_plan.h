@@ -4,6 +4,7 @@
 #pragma once
 #include <string>
 #include <vector>
+#include "action_plan.h"
 #include "base/file_stamp.h"
 #include "glare/columns.h"
 #include "options.h"
@@ -12,7 +13,9 @@
 struct RunPlan {
     glare::SharedPlan measured;
     std::vector<glare::Column> columns;
-    std::vector<std::string> keys;  // of columns: what can be compared from edit to edit has the same one
+    size_t ordinary = 0;            // as many columns are those of ordinary pictures; behind them: of actions
+    std::vector<std::string> keys;  // of these: what can be compared from edit to edit has the same one
+    ActionPlan actions;
     StopRule rule;
     std::vector<glare::ContrastPair> pairs;
     bool needs_looks = false, reports = false;  // intervals are shown or serve a rule; why there are none
@@ -24,6 +27,7 @@ struct RunPlan {
     bool waits = false;       // it has changed, but may still be being written; the regions before are measured
 };
 RunPlan plan_run(const Options& options);
+std::vector<glare::Column> ordinary_columns(const RunPlan& plan);
 
 // Throws Error where a region of -cr is not there, as it may be in a live stream.
 void require_pairs(const RunPlan& plan);

@@ -7,6 +7,8 @@
 #include "base/edit_distance.h"
 #include "base/error.h"
 #include "base/run.h"
+#include "base/split.h"
+#include "glare/actions.h"
 #include "uncertainty/stopping.h"
 
 using namespace glare;
@@ -22,6 +24,7 @@ std::optional<size_t> pixels_of(const std::vector<Column>& columns, const std::s
 }
 
 bool is_metric(const Options& o, const std::string& name) {
+    if (action_column(name)) return true;
     ColumnChoice choice;
     choice.names = {name};
     Requirements ignored;
@@ -70,10 +73,19 @@ RuleState rule_state(const StopRule& rule, const MeasuredSum& sum) {
     return out;
 }
 
-StopRule stop_rule(const Options& o, const std::vector<Column>& columns) {
+std::string parts_of_rule(const std::string& until, const std::function<bool(const std::string& column)>& counts) {
+    std::string out;
+    for (const std::string& part : base::split_list(until, ',')) {
+        const std::vector<std::string> words = base::split_words(part);
+        if (!words.empty() && counts(words[0])) out += (out.empty() ? "" : ",") + part;
+    }
+    return out;
+}
+
+StopRule stop_rule(const Options& o, const std::string& until, const std::vector<Column>& columns) {
     StopRule out;
-    if (o.until.empty()) return out;
-    out.rule.emplace(o.until);
+    if (until.empty()) return out;
+    out.rule.emplace(until);
     for (const Tolerance& t : out.rule->tolerances()) {
         out.watched.push_back(column_of(o, columns, t.metric));
         out.pixels.push_back(pixels_of(columns, t.metric));

@@ -3,6 +3,7 @@
 // each picture of the stream ends by itself: its renderer is sent "next", and its further sums are passed over.  With
 // -go-on nothing ends where the rule holds: a column says so.
 #pragma once
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,7 +22,9 @@ struct StopRule {
     std::string of_filled;  // a metric of the rule that there is not without moments of pixels
 };
 // Throws Error if the rule names a column that the run does not have, or that has no interval.
-StopRule stop_rule(const Options& options, const std::vector<glare::Column>& columns);
+StopRule stop_rule(const Options& options, const std::string& until, const std::vector<glare::Column>& columns);
+// The parts of -until that a picture of -control is to meet: of these columns.
+std::string parts_of_rule(const std::string& until, const std::function<bool(const std::string& column)>& counts);
 
 // Progress of the present picture, and the decision on it.
 struct Progress {
