@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/split.h"
 #include "cal/pattern_parts.h"
+#include "cal/spectral_patterns.h"
 #include "kernels/material/materials.h"
 
 namespace cal {
@@ -76,7 +77,9 @@ MaterialProgram compile_material(Library& library, const PatternSpec& spec, Code
             if (type == "prism1" || type == "prism2") {
                 for (size_t first = 0; first < file; first += 4) prism_exit(p, first, out);
             } else if (type == "BRTDfunc") {
-                for (size_t i = 0; i < 6; i++) out.push_back(p.expression(i));
+                for (size_t i = 0; i < 6; i += 3)
+                    for (int n : in_bands(p, {p.expression(i), p.expression(i + 1), p.expression(i + 2)}))
+                        out.push_back(n);
             } else if (type == "WGMDfunc") {
                 for (size_t i : {1, 2, 3, 5, 6, 7}) out.push_back(p.expression(i));
                 direction(p, 9, out);
@@ -94,7 +97,7 @@ MaterialProgram compile_material(Library& library, const PatternSpec& spec, Code
             const size_t first = file - size_t(kind->lobe);
             for (size_t i = first; i < file; i++)
                 out.push_back(spec.strings[i] == "0" ? p.graph->constant(0) : p.call(i, l));
-            return out;
+            return type == "BRTDfunc" ? in_bands(p, out) : out;
         });
     if (type == "WGMDfunc") m.modifiers = {spec.strings[0], spec.strings[4], spec.strings[8]};
     if (type == "BSDF") m.file = spec.strings[1];

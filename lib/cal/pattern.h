@@ -6,6 +6,7 @@
 #include <vector>
 #include "base/xform.h"
 #include "cal/compile.h"
+#include "spectrum/bands.h"
 
 namespace cal {
 
@@ -17,6 +18,8 @@ struct PatternSpec {
     std::vector<double> reals;
     std::string place;  // "office.rad:14", for messages
     base::Xform outer;
+    const spectrum::Bands* bands = nullptr;  // in place of R, G and B
+    bool of_light = false;                   // with them: it colours lights, else surfaces
 };
 
 enum class ProgramKind {

@@ -9,6 +9,7 @@
 
 #include "base/angle.h"
 #include "base/error.h"
+#include "flatten/band_colours.h"
 #include "flatten/pack.h"
 #include "kernels/dialect/host.h"
 
@@ -31,8 +32,9 @@ double fraction(double x) { return x - std::floor(x); }
 
 class BsdfWriter {
 public:
-    BsdfWriter(const scene::Bsdf& b, BsdfRecords& out, cal::Code& code, const std::string& place)
-        : b_(b), out_(out), code_(code), place_(place) {}
+    BsdfWriter(const scene::Bsdf& b, const BandColours* bands, BsdfRecords& out, cal::Code& code,
+               const std::string& place)
+        : b_(b), bands_(bands), out_(out), code_(code), place_(place) {}
 
     uint32_t write() {
         for (const BsdfBasis& basis : b_.bases) rings_at_.push_back(add_basis(basis));
@@ -122,6 +124,10 @@ private:
             }
             hemi[v] = sums[v * nl + nl - 1];
         }
+        for (size_t i = 0; bands_ && i < rgb.size(); i += 3) {
+            const auto c = colour_of_surface(bands_->bands, spectrum::Colour{rgb[i], rgb[i + 1], rgb[i + 2]});
+            std::copy(c.begin(), c.end(), rgb.begin() + long(i));
+        }
 
         BsdfTable table{};
         table.kind = BSDF_MATRIX;
@@ -205,7 +211,9 @@ private:
         table.values = add_floats(values);
         table.children = add_words(t.child);
         table.u_children = NONE;
-        if (file.u.dims == t.dims && file.v.dims == t.dims) {
+        const bool coloured = file.u.dims == t.dims && file.v.dims == t.dims;
+        if (coloured && bands_) base::warn(place_, "is taken as grey by -action: the colours of a tensor tree");
+        if (coloured && !bands_) {
             table.u_values = add_floats(file.u.value), table.u_children = add_words(file.u.child);
             table.v_values = add_floats(file.v.value), table.v_children = add_words(file.v.child);
         }
@@ -261,6 +269,7 @@ private:
     }
 
     const scene::Bsdf& b_;
+    const BandColours* bands_;
     BsdfRecords& out_;
     cal::Code& code_;
     const std::string& place_;
@@ -269,8 +278,9 @@ private:
 
 }  // namespace
 
-uint32_t add_bsdf(const scene::Bsdf& bsdf, BsdfRecords& records, cal::Code& code, const std::string& place) {
-    return BsdfWriter(bsdf, records, code, place).write();
+uint32_t add_bsdf(const scene::Bsdf& bsdf, const BandColours* bands, BsdfRecords& records, cal::Code& code,
+                  const std::string& place) {
+    return BsdfWriter(bsdf, bands, records, code, place).write();
 }
 
 }  // namespace flatten

@@ -9,6 +9,8 @@
 
 namespace flatten {
 
+struct BandColours;  // flatten/band_colours.h
+
 struct BsdfRecords {
     std::vector<kernels::BsdfComponent> components;
     std::vector<kernels::BsdfTable> tables;
@@ -16,6 +18,8 @@ struct BsdfRecords {
 };
 
 // Appends to the records and, values, to `code`; returns the first of the four components (Modifier.bsdf_at).
-uint32_t add_bsdf(const scene::Bsdf& bsdf, BsdfRecords& records, cal::Code& code, const std::string& place);
+// bands: null, or what stands for R, G and B.
+uint32_t add_bsdf(const scene::Bsdf& bsdf, const BandColours* bands, BsdfRecords& records, cal::Code& code,
+                  const std::string& place);
 
 }  // namespace flatten

@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "base/find_file.h"
 #include "cal/pattern.h"
+#include "flatten/band_colours.h"
 #include "flatten/named_modifiers.h"
 #include "flatten/reflectance.h"
 #include "scene/bsdf_xml.h"
@@ -26,16 +27,16 @@ uint32_t mod_type(cal::ProgramKind k) {
     }
 }
 
-cal::PatternSpec spec_of(const scene::Scene& scene, const Object& o) {
-    const auto s = scene.strings(o);
-    const auto r = scene.reals(o);
-    return {type_name(o.type), {s.begin(), s.end()}, {r.begin(), r.end()}, scene.place(o), {}};
-}
-
 class ModifierWriter {
 public:
     ModifierWriter(Modifiers& out, const Options& options, const scene::ReadOptions& files, ModifierTables& tables)
-        : scene_(out.scene), options_(options), files_(files), tables_(tables), library_(files), out_(out) {}
+        : scene_(out.scene),
+          options_(options),
+          files_(files),
+          tables_(tables),
+          library_(files),
+          out_(out),
+          uses_(options.bands ? spectral_uses(scene_) : SpectralUses()) {}
 
     void run(Range users, const std::vector<int32_t>& also_used) {
         const std::vector<uint8_t> needed = needed_modifiers(scene_, users.begin, users.end, also_used);
@@ -79,6 +80,10 @@ private:
                 {scene_.name(scene_.objects[i]), scene::type_name(link.o.type), scene_.place(link.o)});
     }
 
+    cal::PatternSpec spec_of(const Link& link) const {
+        return pattern_spec(options_.bands.get(), uses_, scene_, link.index, link.o);
+    }
+
     // Dependence of the modifier and its parts: MF_LOOKS, MF_TOTAL, MF_PLACE.
     uint32_t dependence(const Link& link) const {
         constexpr uint32_t all = MF_LOOKS | MF_TOTAL | MF_PLACE;
@@ -97,7 +102,7 @@ private:
     // ---- textures and patterns
 
     void add_pattern(Link& link) {
-        const cal::Program p = cal::compile_pattern(library_, spec_of(scene_, link.o), tables_.code);
+        const cal::Program p = cal::compile_pattern(library_, spec_of(link), tables_.code);
         link.record.program = p.entry;
         link.record.type = mod_type(p.kind);
         if (p.kind != cal::ProgramKind::texture) out_.patterned[link.index] = 1;
@@ -108,7 +113,7 @@ private:
     }
 
     void add_mixture(Link& link) {
-        link.record.program = cal::compile_pattern(library_, spec_of(scene_, link.o), tables_.code).entry;
+        link.record.program = cal::compile_pattern(library_, spec_of(link), tables_.code).entry;
         link.record.type = M_MIXTURE;
         bool materials = false, passes = false;
         int inside = 0;
@@ -152,7 +157,8 @@ private:
         link.record.flags = row.flags;
         if ((row.traits & MT_MEDIUM) != 0) tables_.media = true;
         if ((row.traits & MT_BENDS) != 0) tables_.bends = true;
-        for (double a : scene_.reals(o)) tables_.arguments.push_back(float(a));
+        for (double a : arguments_of(options_.bands.get(), uses_, scene_, link.index, o))
+            tables_.arguments.push_back(float(a));
         if (scene_.reals(o).size() < row.filled) tables_.arguments.resize(link.record.args + row.filled, row.fill);
 
         if (has_alternate(scene_, o)) add_alternate(link);
@@ -187,7 +193,7 @@ private:
     void add_functions(Link& link) {
         tables_.functions = true;
         cal::Code& code = tables_.code;
-        const cal::MaterialProgram p = cal::compile_material(library_, spec_of(scene_, link.o), code);
+        const cal::MaterialProgram p = cal::compile_material(library_, spec_of(link), code);
         link.record.program = p.values;
         link.record.lobe_program = p.lobe;
         link.record.flags |= (p.value_count > 0 ? MF_VALUES : 0) | uint32_t(p.lobe_count) << MF_LOBES_SHIFT;
@@ -207,8 +213,8 @@ private:
         const std::string path = base::find_file(name, files_, place);
         const auto known = bsdf_files_.find(path);
         if (known != bsdf_files_.end()) return known->second;
-        return bsdf_files_[path] =
-                   add_bsdf(scene::read_bsdf(path, files_.opener(place)), tables_.bsdfs, tables_.code, path);
+        return bsdf_files_[path] = add_bsdf(scene::read_bsdf(path, files_.opener(place)), options_.bands.get(),
+                                            tables_.bsdfs, tables_.code, path);
     }
 
     // Sets its number and its cut face, and marks the modifiers that it lists.
@@ -243,6 +249,7 @@ private:
     std::map<std::string, uint32_t> bsdf_files_;  // tables by path
     uint32_t antimatters_ = 0;
     Modifiers& out_;
+    SpectralUses uses_;  // with bands
 };
 
 }  // namespace

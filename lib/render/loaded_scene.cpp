@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "flatten/band_colours.h"
 #include "render/fingerprint.h"
 #include "sampling/targets.h"
 
@@ -15,6 +16,7 @@ std::string made_of(const RenderOptions& options, const scene::ReadOptions& file
     hash.add_all(options.room_text);
     hash.add({options.bv, options.any_reflectance, options.compact_tree, options.names});
     for (const std::string& file : files.cal_files) hash.add_all(file);
+    if (options.bands) hash.add_all(options.bands->name);
     return hash.text();
 }
 

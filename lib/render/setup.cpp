@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/hash.h"
+#include "flatten/band_colours.h"
 #include "flatten/surfaces.h"
 
 namespace render {
@@ -16,6 +17,7 @@ std::string made_by(const Setup& setup) {
     base::Hash hash;
     hash.add({uint64_t(o.dr), o.bv, o.any_reflectance, o.sampling == Sampling::plain});
     for (const std::string& file : setup.reading.cal_files) hash.add_all(file);
+    if (o.bands) hash.add_all(o.bands->name);
     return hash.text();
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: CC-BY-SA-4.0
-// Relative spectra of illuminants of CIE 15:2018: components of daylight by 5 nm, fluorescent lamps by 1 nm, LED
-// lamps by 5 nm; 380 to 780 nm.
+// Relative spectra of illuminants of CIE 15:2018: components of daylight by 5 nm, fluorescent lamps by 1 nm,
+// LED lamps by 5 nm; 380 to 780 nm.
 // International Commission on Illumination (CIE), licensed CC BY-SA 4.0, https://cie.co.at/data-tables .
 // Changed: every fifth value of the LED lamps; written by studies/spectra/tables.py as C++.
 #include "spectrum/tables.h"

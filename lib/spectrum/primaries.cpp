@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reflectances whose colours are RADIANCE's R and B alone, 380 to 780 nm by 5 nm; that of G is 1 less their sum.
+// Reflectances whose colours are RADIANCE's R and B alone, 380 to 780 nm by 5 nm; that of G is 1 less their
+// sum.
 // Written by studies/spectra/tables.py.
 #include "spectrum/tables.h"
 

@@ -70,8 +70,8 @@ led = table('data/spds/CIE_LED_B1toB5_BH1_RGB1_V1_V2.csv', range(1, 10))[::5]
 daylight = table('data/spds/S0123_daylight_phase_5nm.csv', [1, 2, 3])
 names = ['b1', 'b2', 'b3', 'b4', 'b5', 'bh1', 'rgb1', 'v1', 'v2']
 source('cie_lights.cpp', 'CC-BY-SA-4.0',
-       ['Relative spectra of illuminants of CIE 15:2018: components of daylight by 5 nm, fluorescent lamps by 1 nm, LED',
-        'lamps by 5 nm; 380 to 780 nm.'] + cie +
+       ['Relative spectra of illuminants of CIE 15:2018: components of daylight by 5 nm, fluorescent lamps by 1 nm,',
+        'LED lamps by 5 nm; 380 to 780 nm.'] + cie +
        ['Changed: every fifth value of the LED lamps; written by studies/spectra/tables.py as C++.'],
        [(f'daylight_s{k}', daylight[:, k], 6) for k in range(3)] +
        [(f'light_f{n}', fluorescent[:, k], 6) for k, n in enumerate([2, 7, 11, 12])] +
@@ -92,6 +92,7 @@ basis = np.clip(basis, 0, 1).round(5)
 basis[1] = (1 - basis[0] - basis[2]).round(5)
 print('RGB of the basis spectra:', (fold @ basis.T).round(5).tolist())
 source('primaries.cpp', 'BSD-3-Clause',
-       ["Reflectances whose colours are RADIANCE's R and B alone, 380 to 780 nm by 5 nm; that of G is 1 less their sum.",
+       ["Reflectances whose colours are RADIANCE's R and B alone, 380 to 780 nm by 5 nm; that of G is 1 less their",
+        'sum.',
         'Written by studies/spectra/tables.py.'],
        [('primary_red', basis[0], 5), ('primary_blue', basis[2], 5)])

@@ -104,6 +104,18 @@ void declare_pictures(OptionTable& t, Options& opt) {
     t.add("-second-sky[+-]", "A scene may have a sun or a sky beside that of -wea or -sky", opt.second_sky);
 }
 
+void declare_actions(OptionTable& t, Options& opt) {
+    t.group("Light by an action");
+    t.add("-action word",
+          "Pictures of light by an action in place of V: mel rh sc mc lc, V, or a file; may be repeated",
+          opt.action_words);
+    t.add("-bands n", "Bands of an action, three by three", opt.bands).within(0, 60).default_text("9; 12 for V");
+    t.add("-daylight word", "Illuminant of lights without a spectrum, such as D65, 5500 (K), A, or a file",
+          opt.daylight);
+    t.add("-lamp name=word", "Illuminant of the light with this name, such as lamp=F11; may be repeated",
+          opt.lamp_words);
+}
+
 void declare_picture(OptionTable& t, Options& opt) {
     t.group("Picture");
     t.add("-x n", "Horizontal resolution", opt.nx).within(1, 32768).from_scene();
@@ -182,6 +194,7 @@ void declare_options(OptionTable& t, Options& opt, std::optional<scene::RadInput
     view::declare_options(t, opt.view);
     view::declare_file_option(t, [&](const view::View& v) { opt.view = v; });
     declare_pictures(t, opt);
+    declare_actions(t, opt);
     declare_picture(t, opt);
     render::declare_options(t, opt.render);
     t.add("-f file", "A function file whose definitions all functions of the scene may use", opt.files.cal_files)

@@ -43,6 +43,14 @@ private:
     }
 };
 
+// The picture of an action is called as the ordinary one with the action behind it, "desk_mel.hdr", as ptaccum has it.
+std::string file_of(const Options& opt, image::Header header, int64_t k) {
+    const std::string of_action = header.action ? "_" + header.action->name : "";
+    header.action.reset();
+    std::string name = output_name(opt.output, k, image::label(header));
+    return name.insert(name.size() - image::ending_of(name).size(), of_action);
+}
+
 void write_to(const Options& opt, const std::string& file, const image::Picture& picture, image::WriteOptions how) {
     base::refuse_to_overwrite({file}, base::paths_of(*opt.files.read));
     image::write_file(file, picture, how);
@@ -76,7 +84,7 @@ image::Picture start_picture(const Options& opt, const Sky& sky, size_t i, const
 }
 
 // One ordinary picture, as ptaccum -last writes it.
-void write_sum(const Options& opt, const film::Accumulator& sum, const std::string& label) {
+void write_sum(const Options& opt, const film::Accumulator& sum) {
     if (sum.empty()) return;  // a signal came before frame 0
     image::Picture picture;
     sum.result(picture, !opt.output.empty());
@@ -85,7 +93,7 @@ void write_sum(const Options& opt, const film::Accumulator& sum, const std::stri
     if (image::needs_floats(picture.header)) how.pixels = image::Format::flt;
     if (opt.output.empty()) return image::write_picture_stdout(picture, how.pixels);
     image::add_date(picture.header);
-    write_to(opt, output_name(opt.output, opt.last, label), picture, how);
+    write_to(opt, file_of(opt, picture.header, opt.last), picture, how);
 }
 
 void write_frame(const Options& opt, const image::Picture& frame, film::Accumulator& sum) {
@@ -94,7 +102,7 @@ void write_frame(const Options& opt, const image::Picture& frame, film::Accumula
     as_float.pixels = image::Format::flt;
     if (opt.one_picture) sum.add(frame, fmt::format("frame {}", k));
     else if (opt.output.empty()) image::write_picture_stdout(frame, image::Format::flt);
-    else write_to(opt, output_name(opt.output, k, image::label(frame.header)), frame, as_float);
+    else write_to(opt, file_of(opt, frame.header, k), frame, as_float);
 }
 
 Ends ends_of(const Options& opt, render::Control& control, const std::string& label) {
@@ -106,11 +114,11 @@ void write_dark(const Options& opt, image::Picture& picture) {
     picture.rgb.assign(3 * pixels, 0);
     picture.header.frame = opt.first;
     if (opt.output.empty()) picture.header.last_frame = opt.first;
-    if (opt.moments && opt.first == 0)
+    if (opt.moments && opt.first == 0 && !picture.header.action)
         picture.moments = std::make_shared<std::vector<float>>(image::moment_numbers * pixels);
     film::Accumulator sum;
     write_frame(opt, picture, sum);
-    if (opt.one_picture) write_sum(opt, sum, image::label(picture.header));
+    if (opt.one_picture) write_sum(opt, sum);
 }
 
 int64_t render_frames(const Options& opt, const Ends& ends, int64_t from, image::Picture& picture,
@@ -143,6 +151,6 @@ int64_t render_frames(const Options& opt, const Ends& ends, int64_t from, image:
         } catch (const device::Cancelled&) {}
         if (next <= ends.last && control.edit_waits()) ends.now();
     }
-    if (opt.one_picture) write_sum(opt, sum, label);
+    if (opt.one_picture) write_sum(opt, sum);
     return next;
 }

@@ -30,7 +30,7 @@ int64_t render_frames(const Options& opt, const Ends& ends, int64_t from, image:
 image::Picture start_picture(const Options& opt, const Sky& sky, size_t i, const render::ViewPlan* plan);
 void write_frame(const Options& opt, const image::Picture& frame, film::Accumulator& sum);
 // -picture: the sum of its frames.
-void write_sum(const Options& opt, const film::Accumulator& sum, const std::string& label);
+void write_sum(const Options& opt, const film::Accumulator& sum);
 
 // The one frame of a picture in an hour without light.
 void write_dark(const Options& opt, image::Picture& picture);

@@ -14,7 +14,7 @@
 #include "render/hours.h"
 
 std::vector<bool> render_hours(Options opt, size_t i, device::Device& device, const render::ViewPlan& plan,
-                               Report& report) {
+                               Report& report, const ActionHours* action) {
     std::vector<render::HourSky> hours;
     std::vector<size_t> of;  // of each: its place in opt.skies
     for (size_t sky = 0; sky < opt.skies.size(); sky++)
@@ -25,7 +25,7 @@ std::vector<bool> render_hours(Options opt, size_t i, device::Device& device, co
     const std::vector<bool> alone = render::have_images(plan, hours);
     for (size_t k = lit; k-- > 0;)
         if (alone[k]) left[of[k]] = true, hours.erase(hours.begin() + long(k)), of.erase(of.begin() + long(k));
-    if (hours.size() < lit)
+    if (hours.size() < lit && !action)
         base::say(
             fmt::format("ptrace: {} of {} hours are rendered by themselves: a smooth surface shows the eye their "
                         "sun",
@@ -38,6 +38,7 @@ std::vector<bool> render_hours(Options opt, size_t i, device::Device& device, co
             if (!opt.skies[next].is_black() || is_rendered(opt, i, opt.skies[next])) continue;
             image::Picture picture = start_picture(opt, opt.skies[next], i, nullptr);
             picture.header.shared_paths = shared;  // as all of the stream
+            if (action) picture.header.action = action->label;
             write_dark(opt, picture);
         }
     };
@@ -62,6 +63,7 @@ std::vector<bool> render_hours(Options opt, size_t i, device::Device& device, co
             picture = start_picture(opt, sky, i, &plan);
             picture.header.fingerprint = render::hour_fingerprint(plan, hours[hour]);
             picture.header.shared_paths = shared;
+            if (action) picture.header.action = action->label;
             if (opt.output.empty()) picture.header.last_frame = opt.last;
             report.begin(image::label(picture.header), device.name(), opt.first, opt.last);
         }
@@ -71,16 +73,17 @@ std::vector<bool> render_hours(Options opt, size_t i, device::Device& device, co
         write_frame(opt, picture, sum);
         report.frame(k);
         if (k == opt.last) {
-            if (opt.one_picture) write_sum(opt, sum, image::label(picture.header));
+            if (opt.one_picture) write_sum(opt, sum);
             sum = film::Accumulator();
             report.end();
         }
         return !base::shutdown_requested();
     };
     try {
-        render::render_hours(device, plan, hours, wanted, give);
-    } catch (const device::Cancelled&) {}  // a signal, before the first hour
-    if (opt.one_picture && !sum.empty()) write_sum(opt, sum, image::label(picture.header));  // of an hour cut off
+        if (action) render::render_action_hours(device, action->parts, action->plans, hours, wanted, give);
+        else render::render_hours(device, plan, hours, wanted, give);
+    } catch (const device::Cancelled&) {}                      // a signal, before the first hour
+    if (opt.one_picture && !sum.empty()) write_sum(opt, sum);  // of an hour cut off
     if (!base::shutdown_requested()) dark_ones_before(opt.skies.size());
     return left;
 }

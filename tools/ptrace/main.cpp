@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 
+#include "actions.h"
 #include "after.h"
 #include "base/error.h"
 #include "base/failed_before.h"
@@ -70,6 +71,7 @@ void render_dark(const Options& opt, const Sky& sky) {
         if (is_rendered(opt, i, sky)) continue;
         image::Picture picture = start_picture(opt, sky, i, nullptr);
         write_dark(opt, picture);
+        write_dark_actions(opt, picture);
     }
 }
 
@@ -98,12 +100,14 @@ std::optional<Left> render_together(Session& s) {
         s.plan = {};
         return {};
     }
+    warn_of_guesses(s);
     Left left = all_pictures(opt);
     if (!opt.rule_for.empty()) write_rule(opt);
     base::finish_on_signal();
     for (size_t i = 0; i < opt.views.size() && !base::shutdown_requested(); ++i) {
         if (i > 0) plan_first(s, {}, i);
         left[i] = render_hours(opt, i, *s.device, s.plan, s.report);
+        render_actions_together(s, i);
     }
     s.plan = {};
     return left;
@@ -119,7 +123,7 @@ bool load_under(Session& s, const Sky& sky, const base::WorkBudget& budget, bool
     const bool is_first = !s.plan.scene.tables;
     s.plan.scene = render::load(*s.device, s.text, setup, s.plan.scene);
     const bool has_light = s.text.scene.may_have_light();
-    const bool is_needed = is_live(opt) || !last || opt.views.size() > 1 || opt.pixel;
+    const bool is_needed = is_live(opt) || !last || opt.views.size() > 1 || opt.pixel || !opt.actions.empty();
     if (!is_needed) s.text.scene = {};
     if (is_first || !is_needed) base::give_back_memory();  // else for the next sky
     return has_light;
@@ -160,6 +164,7 @@ int render_all(Session& s) {
         if (!opt.rule_for.empty() && last && !of_together) write_rule(opt);
         if (only_rule(opt)) continue;
         if (is_first && !has_light) base::warn("scene", "none of its materials gives light: is the sky missing?");
+        if (is_first && !of_together) warn_of_guesses(s);
         s.control.watch(*opt.files.read);
         plan_first(s, sky, first_view);
         if (opt.pixel) return write_pixel(opt, *s.device, s.plan, s.text.scene), 0;
@@ -171,6 +176,7 @@ int render_all(Session& s) {
             if (!is_left(left[i])) continue;
             if (i > first_view) plan_first(s, sky, i);
             render_view(s, sky, i, last && i + 1 == opt.views.size());
+            render_actions(s, sky, i);
         }
     }
     return 0;

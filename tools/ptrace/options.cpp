@@ -15,6 +15,7 @@
 #include "base/run.h"
 #include "base/split.h"
 #include "base/warnings.h"
+#include "choose_actions.h"
 #include "declare.h"
 #include "image/header.h"
 #include "image/stream.h"
@@ -142,7 +143,7 @@ void check_output(const Options& opt) {
 
 void check_pixel(const Options& opt) {
     const render::RenderView& v = opt.views[0].render_view;
-    if (opt.views.size() > 1 || opt.skies.size() > 1 || opt.states.size() > 1)
+    if (opt.views.size() > 1 || opt.skies.size() > 1 || opt.states.size() > 1 || !opt.actions.empty())
         base::fail("-pixel", "is of one picture, but there are several");
     if (opt.pixel->x < 0 || opt.pixel->x >= v.nx || opt.pixel->y < 0 || opt.pixel->y >= v.ny)
         base::fail("-pixel",
@@ -168,7 +169,7 @@ void check(const Options& opt) {
     if (!opt.rule_for.empty() && opt.rule_file.empty()) return;
     for (const NamedView& s : opt.views) render::require_memory(s.render_view);
     if (opt.pixel) return check_pixel(opt);
-    const bool several = opt.views.size() > 1 || opt.skies.size() > 1 || opt.states.size() > 1;
+    const bool several = opt.views.size() > 1 || opt.skies.size() > 1 || opt.states.size() > 1 || !opt.actions.empty();
     if (several && opt.last == Options::endless && opt.control.empty())
         base::fail("-frames", "say how many frames each picture gets");
     if (opt.watch && opt.first != 0) base::fail("-watch", "needs frame 0: a picture begins anew with it");
@@ -212,6 +213,7 @@ std::optional<int> parse(int argc, char** argv, const std::vector<std::string>& 
     }
     opt.scene_files = base::open_folders(opt.scene_files, opt.files);
     choose_states(opt);
+    choose_actions(opt);
     choose_views(rad_input, rad_input && !operands->empty() ? operands->front() : "", table, opt);
     base::note_files(*opt.files.read, table.files_read());
     opt.command = table.command();

@@ -13,6 +13,7 @@
 #include "scene/states.h"
 #include "render/options.h"
 #include "render/view_plan.h"
+#include "render/action.h"
 #include "skies.h"
 #include "view/view.h"
 #include "weather/rendered.h"
@@ -21,6 +22,12 @@
 struct NamedView {
     std::string name;
     render::RenderView render_view;
+};
+
+// -action: how its pictures are called, and its renderings.
+struct ActionRun {
+    image::Action label;
+    std::vector<render::ActionPart> parts;
 };
 
 struct Options {
@@ -38,6 +45,12 @@ struct Options {
     bool second_sky = false;                // -second-sky
     bool hours_apart = false;               // -hours-apart: each rendered by itself
     std::string mean_sky;                   // that stands for those of all hours (render/hours.h)
+    std::vector<std::string> action_words;  // -action
+    std::string daylight = "D65";           // -daylight: of lights without a spectrum
+    std::vector<std::string> lamp_words;    // -lamp
+    int bands = 0;                          // -bands; 0: as the action has it
+    flatten::LightSpectra lights;           // of -daylight and -lamp
+    std::vector<ActionRun> actions;
     std::vector<std::string> after;         // -after
     weather::Rendered rendered;             // hours of its tables
     std::vector<std::string> points_files;  // -points: one picture of these points; "-": standard input

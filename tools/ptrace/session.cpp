@@ -43,7 +43,7 @@ Run run_of(Options options) {
 
 size_t pictures(const Options& opt) {
     const auto lit = std::count_if(opt.skies.begin(), opt.skies.end(), [](const Sky& s) { return !s.is_black(); });
-    return opt.views.size() * (opt.skies.empty() ? 1 : size_t(lit));
+    return (1 + opt.actions.size()) * opt.views.size() * (opt.skies.empty() ? 1 : size_t(lit));
 }
 
 void say(const std::string& line) { base::say("ptrace: " + line); }

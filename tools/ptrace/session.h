@@ -22,8 +22,9 @@ struct Session {
     std::unique_ptr<device::Device> device;
     render::SceneText text;
     render::ViewPlan plan;
-    std::set<size_t> eyes_looked_at;  // pictures whose eye was asked whether it is odd
-    std::string failure;              // of the files as they are now; empty: they are what is rendered
+    std::vector<std::vector<render::ViewPlan>> action_plans;  // of the parts of each action
+    std::set<size_t> eyes_looked_at;                          // pictures whose eye was asked whether it is odd
+    std::string failure;  // of the files as they are now; empty: they are what is rendered
 };
 
 // Setup of picture i.

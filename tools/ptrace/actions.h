@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The pictures of -action: behind the ordinary frames of a view those of each action.
+#pragma once
+#include <cstddef>
+
+#include "session.h"
+
+// Warns once of what has no spectrum; the scene is loaded.
+void warn_of_guesses(const Session& session);
+
+// View i under this sky, by each action.
+void render_actions(Session& session, const Sky& sky, size_t i);
+// The same in all hours of -wea that are rendered together.
+void render_actions_together(Session& session, size_t i);
+// The same in a dark hour.
+void write_dark_actions(const Options& opt, image::Picture& picture);
