@@ -24,7 +24,8 @@ check 'an action is the same beside others and alone, on other threads, in parts
     ptrace -w- $view -n 2 -frames 2:2 -action mel -bands 6 sky.rad room.rad | ptaccum -last -o "b_%s.exr"
     ptaccum a_eye_mel.exr b_eye_mel.exr -o both.exr
     [ "$(mkstream differ both_mel.exr eye_mel.exr)" = 0 ]'
-check_error 'nothing merges an action with another picture' 1 '^ptaccum: .*ACTION' 'ptaccum eye.exr eye_mel.exr -o x.exr'
+check_error 'nothing merges an action with another picture' 1 '^ptaccum: .*ACTION' \
+    'ptaccum eye.exr eye_mel.exr -o x.exr'
 check 'files have the names of the ordinary ones and the action' '
     ptrace -w- -vtl -x 4 -y 4 -picture -frames 2 -o p.hdr -action mel sky.rad && ls p.hdr p_mel.hdr
     ptrace -w- -vtl -x 4 -y 4 -frames 2 -o f%02d.hdr -action mel sky.rad && ls f01.hdr f00_mel.hdr'
