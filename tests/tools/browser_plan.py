@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # The plan beside the picture, while ptrace renders: browser_plan.py LINK
 #   LINK: what vcview printed.
-import json, os, re, sys
+import json, math, os, re, sys
+from selenium.webdriver.common.actions.action_builder import ActionBuilder
 from selenium.webdriver.common.keys import Keys
 from browser_page import Page, check, link_in, soon
 
@@ -116,6 +117,46 @@ check('a reload shows the same', soon(same, SECONDS))
 undone = lambda: page.one('#undo').is_enabled() and page.one('#undo').click()
 soon(lambda: undone() or not page.one('#undo').is_enabled(), SECONDS)
 check('Undo brings the first numbers back', soon(lambda: frames() > 0 and mean() > .8 * day, SECONDS), rows())
+
+# the eye, where it is pressed, and where it is dragged to
+page.resize(1700, 1000)  # wide enough for all words of the head: the map stays where it is
+page.js('(document.getElementById("sky-panel").open = false)')  # nor do hours push it down
+eye_at = lambda: [float(v) for v in re.findall(r'-?[\d.]+', page.js('document.getElementById("eye-at").textContent'))]
+azimuth = lambda: float(page.js('document.getElementById("azimuth").value'))
+metre = lambda: page.js('document.querySelector("#plan u").getBoundingClientRect().width')
+
+
+def drag_on_map(k, *by):
+    """From the middle of a point's cell, so many metres right and up."""
+    page.js('document.querySelector("#plan img").scrollIntoView({ block: "center" })')
+    map = plan()['map']
+    x, y, w, h, _ = map_places(map)[k]
+    box = page.js('(({ left, top, width }) => [left, top, width])(arguments[0].getBoundingClientRect())',
+                  page.one('#plan img'))
+    scale = box[2] / int(re.search(r'width="(\d+)"', map)[1])
+    at = (box[0] + (int(x) + int(w) / 2) * scale, box[1] + (int(y) + int(h) / 2) * scale)
+    hand = ActionBuilder(page.chrome)
+    hand.pointer_action.move_to_location(round(at[0]), round(at[1])).pointer_down()
+    if by: hand.pointer_action.move_to_location(round(at[0] + by[0] * metre()), round(at[1] - by[1] * metre()))
+    hand.pointer_action.pointer_up()
+    hand.perform()
+
+
+check('north and a metre are told, and the eye is shown in each level grid', page.until('''
+    (document.querySelector("#plan em").textContent === "▲ N1 m" &&
+        document.querySelectorAll("#plan i").length === 2)'''.strip()))
+height = eye_at()[2]
+drag_on_map(3)
+near = lambda at: math.dist(eye_at()[:2], at) < .12 and eye_at()[2] == height
+check('a press puts the eye there, at its height', soon(lambda: near((2.1, .4)), SECONDS), eye_at())
+check('it looks as before', azimuth() == 180, azimuth())
+drag_on_map(20, 1, 1)
+check('a drag says where it looks', soon(lambda: near((2.55, 2.2)) and abs(azimuth() - 45) < 4, SECONDS),
+      (eye_at(), azimuth()))
+check('the mark is there', soon(lambda: page.js(
+    'document.querySelector("#plan i").style.rotate').startswith('0.7')))
+for _ in range(2): page.click('#undo')
+check('Undo takes the eye back', soon(lambda: near((2, 2.7)) and azimuth() == 180, SECONDS), (eye_at(), azimuth()))
 
 for w in (1280, 390):
     page.resize(w, 900)

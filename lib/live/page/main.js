@@ -36,7 +36,7 @@ const variants = new Variants((text) => camera.say(text), (rgb, name) => tones.c
   return rows && verdict(glare_of(lines.columns, last), last).number;
 });
 const sky = new Sky(sliders);
-const day = new Day(sliders), plan = new Plan();
+const day = new Day(sliders), plan = new Plan(camera);
 const library = new Library(), pointed = new Pointed(() => shown, sliders, library);
 const sources = new Sources(view, (x, y) => pointed.called(x, y));
 const probe = new Probe([(x, y) => regions.at(x, y).map((name) => `in ${name}`).join(', '), (x, y) => sources.at(x, y)], (x, y) => pointed.words(x, y));
@@ -120,6 +120,7 @@ async function take(answer) {
     if (!document.body.dataset.picture) performance.mark('picture');
     if (!same) { sources.forget(); regions.fetch_outlines(); regions.mark_rows(); }
     camera.painted(facts.edit, facts.what);
+    plan.show_eye();
     if (facts.what !== 'preview') sources.show(news.picture);
     document.body.dataset.picture = news.picture;
   }

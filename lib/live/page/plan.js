@@ -1,4 +1,5 @@
-// The plan: maps of points as vcview has them drawn, and a row of numbers for each grid, in lx.
+// The plan: maps of points as vcview has them drawn, and a row of numbers for each grid, in lx.  A press on a level
+// grid puts the eye there, at the height that it has; a drag from there says where it looks.
 import { ask, Lost, post } from '/net.js';
 import { alike } from '/picture.js';
 import { offer } from '/save.js';
@@ -13,6 +14,18 @@ function cell_of(name, { [name]: value, [`${name}.lo`]: low, [`${name}.hi`]: hig
   if (!(high > low)) return [String(Number((by * value).toPrecision(3))) + unit, ''];
   const [v, from, to] = alike([value, low, high].map((x) => by * x), by * low, by * high);
   return [v + unit, `${from} to ${to}`];
+}
+
+// How a grid that lies level is drawn, with north up: { scale (of the drawing to a metre), x, y, at (of its middle) };
+// null: it does not lie so.
+function level_of(points) {
+  const mean = (of) => points.reduce((sum, p) => sum + of(p), 0) / points.length;
+  const x = mean((p) => p.x), y = mean((p) => p.y), at = [0, 1, 2].map((k) => mean((p) => p.at[k]));
+  const off = (p, k) => p.at[k] - at[k], over = (k, of) => mean((p) => off(p, k) * of(p)) / mean((p) => off(p, k) ** 2);
+  const scale = over(0, (p) => p.x - x) || over(1, (p) => y - p.y);
+  const fits = points.every((p) => Math.abs(off(p, 2)) < .01 &&
+    Math.hypot(x + scale * off(p, 0) - p.x, y - scale * off(p, 1) - p.y) < 2);
+  return scale > 0 && fits ? { scale, x, y, at } : null;
 }
 
 // The points of a drawing, each with its words and its rectangles, and which one a place shows.
@@ -31,8 +44,13 @@ class Points {
           ends[side] = side < 2 ? Math.min(end, n[i + side]) : Math.max(end, n[i + side - 2] + n[i + side]);
         });
       }
-      return { words, grid: words.replace(/: [^:]*$/, ''), x: (ends[0] + ends[2]) / 2, y: (ends[1] + ends[3]) / 2 };
+      return {
+        words, grid: words.replace(/: [^:]*$/, ''), x: (ends[0] + ends[2]) / 2, y: (ends[1] + ends[3]) / 2,
+        at: (/ at (\S+, \S+, \S+)$/.exec(words)?.[1] ?? '').split(', ').map(Number)
+      };
     });
+    this.levels = new Map([...new Set(this.all.map((p) => p.grid))].map((grid) =>
+      [grid, level_of(this.all.filter((p) => p.grid === grid))]).filter(([, level]) => level));
   }
 
   at(x, y) { return this.of[Math.floor(y) * this.width + Math.floor(x >= this.width / 2 ? x - this.again : x)] ?? -1; }
@@ -50,14 +68,27 @@ class Points {
 }
 
 export class Plan {
-  constructor() {
-    Object.assign(this, { state: null, drawn: { number: 0 }, asking: false, points: new Points(), point: -1 });
+  constructor(camera) {
+    Object.assign(this, { camera, state: null, drawn: { number: 0 }, asking: false, points: new Points(), point: -1 });
     $('plan').addEventListener('pointermove', (e) => {
+      if (e.target.matches('img')) this.choose(this.points.at(...this.place(e)));
+    });
+    $('plan').addEventListener('pointerdown', (e) => {
       if (!e.target.matches('img')) return;
-      const { left, top, width } = e.target.getBoundingClientRect(), by = this.points.width / width;
-      this.choose(this.points.at((e.clientX - left) * by, (e.clientY - top) * by));
+      e.preventDefault();
+      this.pressed = this.place(e);
+      $('plan').focus({ preventScroll: true });  // what is pressed stays under the pointer
+    });
+    document.addEventListener('pointerup', (e) => {
+      const from = this.pressed;
+      this.pressed = null;
+      if (from) this.put_eye(from, e.target.matches('#plan img') ? this.place(e) : from);
     });
     $('plan').addEventListener('keydown', (e) => {
+      if (e.key === 'Enter' && this.point >= 0) {
+        const { x, y } = this.points.all[this.point];
+        this.put_eye([x, y], [x, y]);
+      }
       const by = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[e.key];
       if (!by || e.shiftKey || e.ctrlKey || e.metaKey || e.altKey) return;
       e.preventDefault();
@@ -71,6 +102,45 @@ export class Plan {
     });
     $('plan-panel').addEventListener('toggle', () => this.fetch());
     $('save-plan').addEventListener('click', () => offer('plan.svg', this.drawn.map, 'image/svg+xml'));
+  }
+
+  // Of a pointer, in the drawing.
+  place({ target, clientX, clientY }) {
+    const { left, top, width } = target.getBoundingClientRect(), by = this.points.width / width;
+    return [(clientX - left) * by, (clientY - top) * by];
+  }
+
+  // From one place of the drawing it looks to another; the same: as it does.
+  put_eye([x, y], [to_x, to_y]) {
+    const grid = this.points.all[this.points.at(x, y)]?.grid, level = this.points.levels.get(grid);
+    const now = this.camera.on && this.camera.now();
+    if (!level || !now) return;
+    const { scale, at } = level, half = x >= this.points.width / 2 ? this.points.again : 0;
+    const [right, up] = [to_x - x, y - to_y], far = Math.hypot(right, up), ahead = Math.hypot(now.vd[0], now.vd[1]);
+    this.camera.set({
+      ...now, vp: [at[0] + (x - half - level.x) / scale, at[1] - (y - level.y) / scale, now.vp[2]],
+      vd: far < 8 || !ahead ? now.vd : [right / far * ahead, up / far * ahead, now.vd[2]]
+    });
+  }
+
+  // The eye, as an arrow, and how long a metre is.
+  show_eye() {
+    const now = this.camera.on && this.camera.now(), { width, height, levels } = this.points;
+    const marks = [...now ? levels.values() : []].map(({ scale, x, y, at }) => {
+      const mark = document.createElement('i');
+      Object.assign(mark.style, {
+        left: `${200 * (x + scale * (now.vp[0] - at[0])) / width}%`,
+        top: `${100 * (y - scale * (now.vp[1] - at[1])) / height}%`, rotate: `${Math.atan2(now.vd[0], now.vd[1])}rad`
+      });
+      return mark;
+    });
+    const map = $('plan').firstElementChild, [level] = levels.values();
+    map.querySelectorAll('i, em').forEach((mark) => mark.remove());
+    if (!level) return;
+    const metre = document.createElement('em'), bar = document.createElement('u');
+    bar.style.width = `${level.scale * map.firstElementChild.clientWidth / width}px`;
+    metre.append('▲ N', bar, '1 m');
+    map.append(metre, ...marks);
   }
 
   // { number, limit, edit, waits, ended }, or null.  number: of what can be drawn; edit: that of the model at hand.
@@ -121,8 +191,9 @@ export class Plan {
   // Its words, and where it lies in both maps.
   choose(k) {
     const point = this.points.all[k], { width, height } = this.points;
+    const can = this.camera.on && this.points.levels.size;
     this.point = point ? k : -1;
-    $('plan-point').textContent = point ? point.words : this.points.all.length ? 'Point at the map for values.' : '';
+    $('plan-point').textContent = point ? point.words : this.points.all.length ? `Point at the map for values${can ? '; a press puts the eye there' : ''}.` : '';
     for (const mark of document.querySelectorAll('#plan b')) {
       mark.hidden = !point;
       mark.dataset.words = point?.words ?? '';
@@ -154,6 +225,7 @@ export class Plan {
     for (const image of document.querySelectorAll('#plan img')) image.src = url;
     if (before) setTimeout(() => URL.revokeObjectURL(before), 1000);
     this.url = url;
+    this.show_eye();
     document.body.dataset.plan = drawn.number;
     $('save-plan').hidden = false;
   }
