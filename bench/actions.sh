@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# What an action costs beside the ordinary frames: seconds of a view of the office, alone, with mel by 9 bands, and with V
-# by 12, too.  BIN: the programs.
+# What an action costs beside the ordinary frames: seconds of a view of the office alone, with mel by 9 bands, and with
+# V by 12, too.  BIN: the programs.
 set -e
 cd "$(dirname "$0")/../examples/scenes/office"
 frames() {

@@ -55,10 +55,17 @@ def errors(weight, begin, end, count):
 
 
 ranges = {'mel': (410, 580), 'rh': (420, 590), 'sc': (410, 520), 'mc': (460, 630), 'lc': (450, 640), 'V': (460, 660)}
-print('action\tbands\tcases\tmedian\t95 %\tlargest\tof')
-for name, (begin, end) in ranges.items():
-    for count in (3, 6, 9, 12, 15):
-        all_of = sorted(errors(actions[name], begin, end, count))
-        size = [e for e, _ in all_of]
-        print(f'{name}\t{count}\t{len(size)}\t{np.median(size):.2f}\t{np.percentile(size, 95):.2f}\t'
-              f'{size[-1]:.1f}\t{all_of[-1][1]}')
+
+
+def main():
+    print('action\tbands\tcases\tmedian\t95 %\tlargest\tof')
+    for name, (begin, end) in ranges.items():
+        for count in (3, 6, 9, 12, 15):
+            all_of = sorted(errors(actions[name], begin, end, count))
+            size = [e for e, _ in all_of]
+            print(f'{name}\t{count}\t{len(size)}\t{np.median(size):.2f}\t{np.percentile(size, 95):.2f}\t'
+                  f'{size[-1]:.1f}\t{all_of[-1][1]}')
+
+
+if __name__ == '__main__':
+    main()
