@@ -23,6 +23,9 @@ check 'one thread or many: the same frames' '
 check 'metrics come line by line, header first' '
     render 4 | ptaccum | vcmetrics > t; test $(wc -l < t) -eq 5; head -n 1 t | grep -q "^frame	seconds	Ev	DGP";
     cut -f 1 t | tail -n 1 | grep -qx 3'
+check 'the middle of an interval is the value without the bias of noise, in which the picture may not lie' '
+    render 9 | ptaccum | vcmetrics -metrics DGP,DGPu -ci 95 | tail -n 1 |
+        awk -F "\t" "{ off = (\$4 + \$5) / 2 - \$6; exit !(\$5 > \$4 && off < 1e-6 && off > -1e-6 && \$3 > \$6) }"'
 check 'regions and contrast have their columns' '
     vcregion -vf view.vf -x 48 -y 48 -o r.exr office.regions
     render 3 | ptaccum -last | vcmetrics -regions r.exr -cr screen=screen_low/screen_high | head -n 1 |
