@@ -193,7 +193,8 @@ export class Plan {
     const point = this.points.all[k], { width, height } = this.points;
     const can = this.camera.on && this.points.levels.size;
     this.point = point ? k : -1;
-    $('plan-point').textContent = point ? point.words : this.points.all.length ? `Point at the map for values${can ? '; a press puts the eye there' : ''}.` : '';
+    const none = this.points.all.length ? `Point at the map for values${can ? '; a press puts the eye there' : ''}.` : '';
+    $('plan-point').textContent = point?.words ?? none;
     for (const mark of document.querySelectorAll('#plan b')) {
       mark.hidden = !point;
       mark.dataset.words = point?.words ?? '';
