@@ -110,12 +110,10 @@ std::string verdict(const Page& page) {
 
 // "26 November 2026", of CAPDATE= 2026:11:26 04:01:25.
 std::string date_of(const Page& page) {
-    static const char* const months[] = {"January", "February", "March",     "April",   "May",      "June",
-                                         "July",    "August",   "September", "October", "November", "December"};
     int year = 0, month = 0, day = 0;
     for (const std::string& line : page.header.lines)
         if (std::sscanf(line.c_str(), "CAPDATE= %d:%d:%d", &year, &month, &day) == 3 && month >= 1 && month <= 12)
-            return fmt::format("{}{} {} {}", page.title.empty() ? "" : ", ", day, months[month - 1], year);
+            return fmt::format("{}{} {} {}", page.title.empty() ? "" : ", ", day, month_word(month), year);
     return "";
 }
 
@@ -178,8 +176,8 @@ std::string sources(const Page& page) {
     double rest = 0;
     for (size_t k = shown; k < all.size(); ++k) rest += all[k].share;
     if (shown < all.size())
-        out += fmt::format("<tr><td></td><td>{:.1f} %</td><td colspan=\"6\">{} smaller ones together</td></tr>\n",
-                           100 * rest, all.size() - shown);
+        out += fmt::format("<tr><td></td><td>{:.1f} %</td><td colspan=\"6\">{} smaller {}</td></tr>\n", 100 * rest,
+                           all.size() - shown, all.size() - shown > 1 ? "ones together" : "one");
     return out +
            "</tbody></table>\n<p class=\"note\">A glare source is a part of the view much brighter than the rest. "
            "Where: "
@@ -245,8 +243,8 @@ std::string page_text(const Page& page) {
     for (const std::string& note : page.notes) out += "<p class=\"note\">" + escaped(note) + "</p>\n";
     out += criteria_table(page) + "<div class=\"drawings\">\n";
     for (const Page::Drawing& d : page.drawings) out += drawing(page, d);
-    out +=
-        "</div>\n" + legend(page.legend) + numbers(page, "Numbers", page.numbers, words_of) + "</section>\n<section>\n";
+    out += "</div>\n" + legend(page.legend) + where_and_when(page) + numbers(page, "Numbers", page.numbers, words_of) +
+           "</section>\n<section>\n";
     if (!page.plan.svg.empty())
         out += numbers(page, "Plan", page.plan.numbers, words_of_grid) + plan_maps(page.plan.svg) +
                "</section>\n<section>\n";

@@ -5,7 +5,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdio>
 
+#include "base/angle.h"
 #include "base/printable.h"
 #include "report/table.h"
 
@@ -60,6 +62,44 @@ std::string variants_and_day(const Page& page) {
     out += "<h2>The day</h2>\n<table class=\"numbers\"><tbody>\n";
     for (const std::string& line : page.day) out += "<tr><td>" + escaped(line) + "</td></tr>\n";
     return out + "</tbody></table>\n";
+}
+
+const char* month_word(int month) {
+    static const char* const words[] = {"January", "February", "March",     "April",   "May",      "June",
+                                        "July",    "August",   "September", "October", "November", "December"};
+    return month >= 1 && month <= 12 ? words[month - 1] : "";
+}
+
+std::string hour_words(const std::vector<std::string>& sky) {
+    for (const std::string& line : sky) {
+        size_t at = line.find("gensky ");
+        if (at == std::string::npos) at = line.find("gendaylit ");
+        int month = 0, day = 0, minutes = 0;
+        char word[16] = "";
+        if (at == std::string::npos || std::sscanf(line.c_str() + at, "%*s %d %d %15s", &month, &day, word) != 3)
+            continue;
+        const bool solar = word[0] == '+';
+        double hour = 0;
+        if (std::sscanf(word + solar, "%lf:%d", &hour, &minutes) < 1 || !(hour >= 0 && hour <= 24)) continue;
+        const long all = std::lround(60 * hour) + minutes;
+        if (*month_word(month))
+            return fmt::format("{} {}, {}:{:02}{}", day, month_word(month), all / 60, all % 60,
+                               solar ? " solar time" : "");
+    }
+    return "";
+}
+
+std::string where_and_when(const Page& page) {
+    const base::Vec3 d = base::unit(page.view.vd);
+    const double north = std::atan2(d.x, d.y) / base::degree;
+    std::string out = d.z > .9 ? "The eye looks up" : "The eye looks down";
+    if (std::fabs(d.z) <= .9)
+        out = fmt::format(
+            "The eye looks {} (north, if ahead is up: <svg class=\"compass\" viewBox=\"-8 -8 16 16\" role=\"img\" "
+            "aria-label=\"{:.0f} degrees\"><path transform=\"rotate({:.0f})\" d=\"M0 7V-6M-4 -2L0 -7L4 -2\"/></svg>)",
+            compass_word(north), -north, -north);
+    const std::string hour = hour_words(page.sky);
+    return "<p class=\"note\">" + out + (hour.empty() ? "" : ", on " + hour) + ".</p>\n";
 }
 
 const char* compass_word(double degrees) {

@@ -23,6 +23,8 @@ svg text { font-family: system-ui, sans-serif; text-anchor: middle; }
 .bar { margin-top: 6px; } .interval { fill: #1c1c1c66; } .value { stroke: #1c1c1c; stroke-width: 2.5; }
 .tick { stroke: #555; }
 svg { display: block; width: 100%; }
+.compass { display: inline-block; width: 12px; vertical-align: -2px; } .compass path { fill: none; stroke: #1c1c1c;
+  stroke-width: 1.6; }
 .plan { width: 100%; max-height: 190mm; object-fit: contain; object-position: 0 0; margin-top: 10px; }
 .drawings { display: grid; grid-template-columns: 1fr 1fr; gap: 10px; margin-top: 12px; }
 .variants { grid-template-columns: repeat(3, 1fr); } .variants img { width: 100%; }

@@ -30,7 +30,7 @@ constexpr const char* style = R"(
 .parts td, .parts th:first-child { white-space: normal; } .parts small { color: var(--soft); display: block; }
 .parts td:nth-child(2) { font-weight: 600; } .parts td:nth-child(4) { font-size: 8.5pt; width: 36%; }
 .parts td { overflow-wrap: normal; } .parts td:nth-child(3) { width: 19%; }
-.room { max-width: 80mm; } .room .arrow { fill: currentColor; } .room path { stroke: currentColor; }
+.room .arrow { fill: currentColor; } .room path { stroke: currentColor; }
 .room text { paint-order: stroke; stroke: #fff; stroke-width: .2em; font-weight: 600; text-anchor: start; }
 .beside { display: flex; gap: 14px; align-items: flex-start; }
 .hours { display: grid; grid-template-columns: repeat(auto-fill, minmax(38mm, 1fr)); gap: 8px; }

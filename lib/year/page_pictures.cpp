@@ -50,6 +50,35 @@ const image::Picture* picture_of(const Page& page, const std::string& view, cons
     return nullptr;
 }
 
+namespace {
+
+// North, and how long some metres are, over a plan of so many pixels a metre; north: the y axis in the picture.
+std::string scale_of_plan(const image::Picture& p, double metre, std::pair<double, double> north, double size) {
+    const auto [x, y] = north;
+    const double length = std::hypot(x, y), right = p.width - 1.2 * size, top = 1.4 * size;
+    double metres = 1;
+    for (const double m : {1., 2., 5., 10., 20., 50.})
+        if (m * metre < p.width / 3.) metres = m;
+    std::string out = fmt::format(
+        "<g class=\"scale\"><path stroke-width=\"{:.1f}\" d=\"M{:.1f} {:.1f}v{:.1f}h{:.1f}v-{:.1f}\"/><text "
+        "font-size=\"{:.1f}\" x=\"{:.1f}\" y=\"{:.1f}\">{:g} m</text>",
+        size / 16, size / 2, p.height - .8 * size, .3 * size, metres * metre, .3 * size, size / 2, size / 2,
+        p.height - .9 * size, metres);
+    if (length > 0) {
+        const double dx = x / length, dy = y / length;
+        out += fmt::format(
+            "<path stroke-width=\"{:.1f}\" d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}m{:.1f} {:.1f}L{:.1f} {:.1f}l{:.1f} "
+            "{:.1f}\"/><text font-size=\"{:.1f}\" x=\"{:.1f}\" y=\"{:.1f}\">N</text>",
+            size / 12, right - dx * size / 2, top - dy * size / 2, right + dx * size / 2, top + dy * size / 2,
+            (-dx + dy) * size / 4, (-dy - dx) * size / 4, right + dx * size / 2, top + dy * size / 2,
+            (-dx - dy) * size / 4, (-dy + dx) * size / 4, size / 2, right + dx * size * .75 - size / 6,
+            top + dy * size * .75 + size / 6);
+    }
+    return out + "</g>\n";
+}
+
+}  // namespace
+
 std::string plan_figure(const Page& page) {
     if (!page.plan) return "";
     const image::Picture& p = *page.plan;
@@ -58,15 +87,16 @@ std::string plan_figure(const Page& page) {
     const view::View& v = down.view();
     const double arrow = std::max(p.width, p.height) / 12.;
     std::string out = fmt::format(
-        "<figure class=\"room\"><svg viewBox=\"0 0 {0} {1}\" role=\"img\" aria-label=\"plan\"><image href=\"{2}\" "
-        "width=\"{0}\" height=\"{1}\" opacity=\".6\"/>\n",
-        p.width, p.height, image_data(display::tone(p, {})));
+        "<figure class=\"room\" style=\"max-width:{3:.0f}mm\"><svg viewBox=\"0 0 {0} {1}\" role=\"img\" "
+        "aria-label=\"plan\"><image href=\"{2}\" width=\"{0}\" height=\"{1}\" opacity=\".6\"/>\n",
+        p.width, p.height, image_data(display::tone(p, {})), std::min(110., 95. * p.width / p.height));
+    const auto along = [&](const base::Vec3& d) {
+        return std::pair(base::dot(d, down.right()) / v.vh * p.width, -base::dot(d, down.up()) / v.vv * p.height);
+    };
+    out += scale_of_plan(p, p.width / v.vh, along({0, 1, 0}), arrow);
     for (size_t k = 0; k < page.views.size(); ++k) {
         const view::View* eye = eye_of(page, page.views[k].name);
         if (!eye) continue;
-        const auto along = [&](const base::Vec3& d) {
-            return std::pair(base::dot(d, down.right()) / v.vh * p.width, -base::dot(d, down.up()) / v.vv * p.height);
-        };
         const auto [x0, y0] = along(eye->vp - v.vp);
         const auto [dx, dy] = along(eye->vd);
         const double x = x0 + (.5 - v.vs) * p.width, y = y0 + (.5 + v.vl) * p.height,

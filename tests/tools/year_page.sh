@@ -24,6 +24,7 @@ check 'it says of how many hours and days it is, of which place and weather, and
     grep -q "Here, &lt;North&gt;, Land, 39.74° north, 105.18° west" year.html
     grep -q "site.epw; its source: weather.py<br>made up" year.html
     grep -q "Left out: 8,748 hours of the file" year.html
+    [ "$(grep -c "<g class=.scale.*>[125] m</text>.*>N</text>" year.html)" = 1 ]
     [ "$(grep -c "<g class=.arrow" year.html)" = 2 ]; ! grep -qE "src=.(http|file)|<script" year.html'
 check 'every cell leads to a picture or a command' '
     grep -o "<a href=.#[^\"]*" year.html | sed "s/.*#//" | sort > from; [ "$(wc -l < from)" = 24 ]

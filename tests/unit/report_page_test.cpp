@@ -10,6 +10,7 @@
 #include "base/sha256.h"
 #include "base/split.h"
 #include "report/page.h"
+#include "report/page_about.h"
 #include "report/table.h"
 #include "report/verdict_words.h"
 
@@ -123,6 +124,25 @@ TEST_CASE("names from files are text: no markup, no control characters, no broke
     CHECK(!holds(text, "\xff"));
     CHECK(holds(text, "&lt;script&gt;"));
     CHECK(holds(text, "&quot;&#39;&amp;"));
+}
+
+TEST_CASE("the hour of a sky's line in words, which way the eye looks, and where north is") {
+    using report::hour_words;
+    CHECK(hour_words({"sun: 16.8", "sky.rad: gensky 12 21 14 +s -a 42"}) == "21 December, 14:00");
+    CHECK(hour_words({"gendaylit 3 1 9.25 -W 1 2"}) == "1 March, 9:15");
+    CHECK(hour_words({"gensky 6 21 9:30"}) == "21 June, 9:30");
+    CHECK(hour_words({"gensky 6 21 +12"}) == "21 June, 12:00 solar time");
+    CHECK(hour_words({"gensky -ang 30 10", "gensky 13 1 9", "gensky 1 1 x"}) == "");
+    Page page = sample();
+    page.view.vd = {1, 0, -.1};
+    page.sky = {"gensky 12 21 14 +s"};
+    const std::string text = report::page_text(page);
+    CHECK(holds(text, "The eye looks east (north"));
+    CHECK(holds(text, "rotate(-90)"));
+    CHECK(holds(text, "</svg>), on 21 December, 14:00.</p>"));
+    page.view.vd = {0, .1, -1};
+    page.sky.clear();
+    CHECK(holds(report::page_text(page), "The eye looks down.</p>"));
 }
 
 TEST_CASE("a picture is in the page by its bytes") {
