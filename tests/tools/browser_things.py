@@ -48,6 +48,7 @@ check('a blind is added', soon(lambda: 'blind_1 added to pane' in edits(), SECON
 labels = lambda: page.js('[...document.querySelectorAll("#here label")].map((l) => l.firstChild.data)')
 check('it has slats of the library, as many as there are, one tilt, and a place', labels() == [
     'material', 'reflectance', 'turned, degrees', 'repeated', 'moved along x', 'moved along y', 'moved up'], labels())
+check('which are named', page.js('document.querySelector("#here select").value') == 'slat_white')
 check('its picture is rendered', soon(lambda: page.rows('#edits')[0][0] == 'blind_1 added to pane' and
                                       int(page.rows('#edits')[0][1]) > 0, SECONDS), page.rows('#edits'))
 point(.547, .43)
@@ -98,6 +99,11 @@ check('lines of other programs and options', texts[1:] == [
     'weather', '!gensky 3 1 +9 -s -g .3', told + ' -g .3',
     '+i', '# x\n!gensky 6 1 9:30 -s -a 1 | x', '# x\n' + told + ' | x', None, '!gensky 1 1 8 -s', told], texts[1:])
 
+quoted = page.chrome.execute_async_script("""
+    import('/model_text.js').then(({ things_in }) => arguments[0](things_in(
+        'void glass "Clear  Glass" 0 0 3 .8 .8 .8\\nvoid plastic a\\'b c\\'d 0 0 5 1 1 1 0 0')
+            .map((t) => [t.name, t.reals.length])));""")
+check('names may have blanks', quoted == [['Clear  Glass', 3], ['ab cd', 5]], quoted)
 half = page.chrome.execute_async_script("""
     import('/model_text.js').then(({ skies_in, with_sky }) => arguments[0]([
         skies_in('!gensky 6 1 9:30 +s')[0].hour, with_sky('!gensky 6 1 9:30 +s', 0, 152, 10)]));""")

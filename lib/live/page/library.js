@@ -19,11 +19,13 @@ export class Library {
     return `void ${type} ${name}\n0\n0\n${reals.length} ${words}`;
   }
 
-  // Those that a material of a text may become, and the one that it is like.
+  // Those that a material of a text may become, and the one that it is like: of several the one whose kind it is called
+  // by (blind_1_slat).
   kinds_of(text, thing) {
     const reals = reals_of(text, thing);
     const all = this.all.filter((m) => m.type === thing.type && m.reals.length === reals.length);
-    return [all, all.find((m) => m.reals.every((v, k) => v === reals[k]))];
+    const like = all.filter((m) => m.reals.every((v, k) => v === reals[k]));
+    return [all, like.find((m) => thing.name.includes(m.name.split('_')[0])) ?? like[0]];
   }
 }
 

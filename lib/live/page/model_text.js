@@ -2,8 +2,8 @@
 
 const number = /(?<![\w.:+-])[-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?(?![\w.:])/gi;
 
-// Comments, commands with the lines that continue them, and words.
-const token = /#[^\n]*|![^\n]*(?<=\\)(?:\n[^\n]*(?<=\\))*\n[^\n]*|![^\n]*|\S+/g;
+// Comments, commands with the lines that continue them, and words, which may have quoted parts.
+const token = /#[^\n]*|![^\n]*(?<=\\)(?:\n[^\n]*(?<=\\))*\n[^\n]*|![^\n]*|(?:"[^"\n]*"|'[^'\n]*'|\S)+/g;
 
 // The primitives and commands of a text: { start, end, line, command, type, name, arguments: places of words, reals:
 // those of real arguments }.  Arguments stand behind their counts (modifier type name n words n words n words; an alias
@@ -36,7 +36,7 @@ export function things_in(text) {
     thing.end = index + word.length;
     const { words, command } = thing;
     if (command || (!left && !lists && words.length === (words[1] === 'alias' ? 4 : 3))) {
-      [, thing.type, thing.name] = words;
+      [, thing.type, thing.name] = words.map((w) => w.replace(/["']/g, ''));
       thing = null;
     }
   }
