@@ -11,6 +11,7 @@
 #include "base/number.h"
 #include "uncertainty/shared_counts.h"
 #include "uncertainty/student.h"
+#include "weather/light.h"
 #include "weather/sky.h"
 #include "year/verdict.h"
 
@@ -20,10 +21,10 @@ ReadyRule ready(const ShadeRule& rule, const ShadeGroup& group, const ShadeSourc
     using Kind = ShadeRule::Kind;
     ReadyRule r{rule, group.states, {}, {}, {}};
     if (rule.kind == Kind::schedule) r.schedule = read_shade_schedule(rule.file, group.name);
-    if (rule.kind == Kind::slats) {
+    if (rule.kind == Kind::slats || rule.wm2 > 0) {
         r.weather = weather::read_weather(rule.file);
         for (size_t i = 0; i < r.weather.hours.size(); ++i) r.weather_at[r.weather.hours[i].time.minute_of_year()] = i;
-        if (rule.tilts.size() != group.states.size())
+        if (rule.kind == Kind::slats && rule.tilts.size() != group.states.size())
             base::fail(rule.text, fmt::format("{} tilts for {} states", rule.tilts.size(), group.states.size()));
     }
     if (rule.kind == Kind::glare && (!sources.glare || sources.glare->open().views.empty()))
@@ -67,8 +68,24 @@ static uncertainty::Interval sensors_from(double lux, const Grid& grid, const Gr
     return limits;
 }
 
+static const weather::Hour& hour_of(const ReadyRule& r, const weather::Time& time) {
+    const auto at = r.weather_at.find(time.minute_of_year());
+    if (at == r.weather_at.end()) base::fail(r.rule.file, "has no " + name_of(time));
+    return r.weather.hours[at->second];
+}
+
+// Of direct sun, which no sensor reaches without a sun.
+static double lux_of(const ReadyRule& r, const weather::Time& time) {
+    if (!(r.rule.wm2 > 0)) return r.rule.lux;
+    const weather::Hour& hour = hour_of(r, time);
+    const auto light = weather::light_of(r.weather, hour);
+    if (!light || !(light->sun_irradiance > 0)) return INFINITY;
+    return r.rule.wm2 * weather::white_efficacy * light->sun_irradiance / hour.direct_wm2;
+}
+
 Kept sun_kept(const ReadyRule& r, const ShadeStates& direct, const std::string& state, const weather::Time& time) {
     const std::string known = direct.has(state) || !direct.has("") ? state : "";  // a run without states: the open one
+    const double lux = lux_of(r, time);
     double low = 0, high = 0, value = 0, sensors = 0;
     bool missing = false;
     for (const Grid& grid : direct.open().grids) {
@@ -77,8 +94,8 @@ Kept sun_kept(const ReadyRule& r, const ShadeStates& direct, const std::string& 
         const GridHour& h = direct.hour_of_grid(known, grid.name, time.minute_of_year());
         sensors += double(h.sensors.size());
         if (missing = missing || is_missing(h); missing) continue;
-        for (const Lux& e : h.sensors) value += e.value >= r.rule.lux;
-        const uncertainty::Interval limits = sensors_from(r.rule.lux, grid, h);
+        for (const Lux& e : h.sensors) value += e.value >= lux;
+        const uncertainty::Interval limits = sensors_from(lux, grid, h);
         low += limits.low, high += limits.high;
     }
     if (sensors == 0) base::fail(r.rule.text, "-direct has none of these grids");
@@ -90,9 +107,7 @@ Kept sun_kept(const ReadyRule& r, const ShadeStates& direct, const std::string& 
 constexpr double sunshine_wm2 = 120;
 
 Kept sun_kept_out(const ReadyRule& r, size_t state, const weather::Time& time) {
-    const auto at = r.weather_at.find(time.minute_of_year());
-    if (at == r.weather_at.end()) base::fail(r.rule.file, "has no " + name_of(time));
-    const weather::Hour& hour = r.weather.hours[at->second];
+    const weather::Hour& hour = hour_of(r, time);
     if (hour.direct_wm2 < sunshine_wm2) return {};
     const weather::Sun sun = weather::sun_of(r.weather, hour);
     const auto profile = profile_angle_deg(sun.altitude_deg, sun.azimuth_deg, r.rule.slats.facade_deg);

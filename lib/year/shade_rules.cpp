@@ -29,6 +29,10 @@ public:
         if (!any()) base::fail(place_, std::string(what) + " is missing");
         return words_[at_++];
     }
+    bool next_is_watts() {  // "150W"
+        double v;
+        return any() && base::ends_with(words_[at_], "W") && base::parse_real(number_text(), v);
+    }
     double number(const char* what, double low, double high) {
         double v = 0;
         if (!any() || !base::parse_real(number_text(), v) || v < low || v > high)
@@ -42,9 +46,9 @@ private:
     std::vector<std::string> words_;
     std::string place_;
     size_t at_ = 0;
-    std::string number_text() const {  // "2%"
+    std::string number_text() const {  // "2%", "150W"
         const std::string& w = words_[at_];
-        return base::ends_with(w, "%") ? w.substr(0, w.size() - 1) : w;
+        return base::ends_with(w, "%") || base::ends_with(w, "W") ? w.substr(0, w.size() - 1) : w;
     }
 };
 
@@ -52,6 +56,7 @@ private:
 void read_ends(RuleWords& in, ShadeRule& rule) {
     while (in.any()) {
         if (in.next_is("at")) rule.at = base::split_list(in.word("what is read"), ',');
+        else if (rule.wm2 > 0 && in.next_is("weather")) rule.file = in.word("a weather file");
         else if (!in.next_is("until")) in.fail("\"" + base::excerpt(in.word("")) + "\" is not a word of this rule");
         else if (in.next_is("morning")) rule.until_morning = true;
         else if (rule.kind == ShadeRule::Kind::glare) rule.until = in.number("until", 0, rule.limit);
@@ -76,9 +81,12 @@ ShadeRule rule_of(const std::string& text, const std::string& place) {
         read_ends(in, rule);
     } else if (kind == "sun") {
         rule.kind = Kind::sun;
-        if (in.next_is_number()) rule.share = in.number("the share of the sensors, in %,", 0, 100) / 100;
-        if (in.next_is_number()) rule.lux = in.number("the illuminance", 1e-3, 2e5);
+        if (in.next_is_number() && !in.next_is_watts())
+            rule.share = in.number("the share of the sensors, in %,", 0, 100) / 100;
+        if (in.next_is_watts()) rule.wm2 = in.number("the irradiance", 1e-3, 1500);
+        else if (in.next_is_number()) rule.lux = in.number("the illuminance", 1e-3, 2e5);
         read_ends(in, rule);
+        if (rule.wm2 > 0 && rule.file.empty()) in.fail("W/m2 need the file that the sun comes from: weather site.epw");
     } else if (kind == "schedule") {
         rule.kind = Kind::schedule;
         rule.file = in.word("a file");

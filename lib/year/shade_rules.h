@@ -3,6 +3,7 @@
 //     glare .40                                  the most open state whose DGP is at most .40 in all views
 //     glare .40 at desk1,desk2 until .35         of these views; once closed it opens at .35
 //     sun 2% 1000 until morning                  in which at most 2 % of the sensors have 1000 lx of direct sun
+//     sun 0% 150W at facade weather site.epw     in which no sensor on the facade has 150 W/m2 of direct sun
 //     schedule shades.tsv                        the state that a file names
 //     slats 180 .05 .042 tilts -,0,35 weather site.epw   whose slats keep out the sun
 // "south:" in front of a rule: of this group alone.  The most closed state that a rule asks for counts.
@@ -22,6 +23,7 @@ struct ShadeRule {
     double limit = .4;               // DGP
     double until = .4;               // DGP at which it opens again
     double share = .02, lux = 1000;  // of sensors, of direct sun
+    double wm2 = 0;                  // in place of lux, by the efficacy of the sun in the weather file; 0: none
     bool until_morning = false;      // once closed it opens with the next day
     std::vector<std::string> at;     // views or grids; empty: all
     std::string file;                // a schedule's, or of the weather

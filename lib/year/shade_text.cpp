@@ -70,9 +70,9 @@ std::string rule_words(const ShadeRule& r) {
         if (r.until < r.limit) text += fmt::format("; closed shades open again at {:g}", r.until);
         break;
     case ShadeRule::Kind::sun:
-        text =
-            fmt::format("the most open state in which at most {:g} % of the sensors of {} have {:g} lx of direct sun",
-                        100 * r.share, which_words(r, "all grids"), r.lux);
+        text = fmt::format("the most open state in which at most {:g} % of the sensors of {} have {} of direct sun",
+                           100 * r.share, which_words(r, "all grids"),
+                           r.wm2 > 0 ? fmt::format("{:g} W/m2", r.wm2) : fmt::format("{:g} lx", r.lux));
         break;
     case ShadeRule::Kind::schedule: text = "the state that the file " + r.file + " names for the hour"; break;
     case ShadeRule::Kind::slats:

@@ -3,10 +3,13 @@
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <random>
 
 #include "temp_folder.h"
+#include "weather/light.h"
 #include "year/shade_text.h"
 #include "year/shades.h"
 #include "year_shade_states.h"
@@ -126,6 +129,34 @@ TEST_CASE("LM-83: more than 2 % of the sensors with 1000 lx of direct sun close 
     CHECK(letters(controlled(s, "sun until morning", &direct)) == "o o o s s");
     CHECK(fault([&] { controlled(s, "sun at wall", &direct); }) == "sun at wall: -direct has none of these grids");
     CHECK(fault([&] { controlled(s, "sun"); }) == "sun: reads a table of sensors under direct sun: -direct");
+}
+
+TEST_CASE("direct sun in W/m2, by the efficacy of the hour's sun") {
+    TempFolder folder;
+    const std::string site = folder.holding(
+        "site.wea",
+        "place Here\nlatitude 40\nlongitude 0\ntime_zone 0\nsite_elevation 0\nweather_data_file_units 1\n"
+        "1 1 11.5 800 60\n1 1 12.5 0 60\n");
+    std::vector<StateTables> tables{{"open", {}}, {"shut", {}}};
+    for (StateTables& t : tables) {
+        t.tables.views = {View{"desk", {}}};
+        t.tables.views[0].hours = {hour_of_dgp(11, .2), hour_of_dgp(12, .2)};
+    }
+    const ShadeStates s(tables);
+    StateTables sun{"", {}};
+    sun.tables.grids = {Grid{"facade", {{hour_number(11), {{1200, 0}}}, {hour_number(12), {{1200, 0}}}}}};
+    const ShadeStates direct({sun});
+    const weather::Weather w = weather::read_weather(site);
+    const double lumens = 179 * weather::light_of(w, w.hours[0])->sun_irradiance / 800;
+    CHECK(lumens > 80);
+    CHECK(lumens < 120);
+    const auto of = [&](double limit) {
+        return letters(controlled(s, fmt::format("sun 0% {:.4f}W at facade weather {}", limit, site), &direct));
+    };
+    CHECK(of(1200 / lumens * .999) == "s o");  // without a sun there is none to shut out
+    CHECK(of(1200 / lumens * 1.001) == "o o");
+    CHECK(fault([&] { controlled(s, "sun 0% 50W", &direct); }) ==
+          "-shades: W/m2 need the file that the sun comes from: weather site.epw");
 }
 
 TEST_CASE("a schedule names states by hours, or numbers them for each hour of the year") {
