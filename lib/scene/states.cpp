@@ -5,9 +5,13 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <system_error>
 
 #include "base/error.h"
 #include "base/printable.h"
+#include "base/run.h"
+#include "base/split.h"
 #include "scene/shell_words.h"
 
 namespace scene {
@@ -110,6 +114,25 @@ std::vector<State> states_of(const std::vector<std::string>& words, const std::v
         all = std::move(more);
     }
     return all;
+}
+
+std::vector<std::string> honeybee_states(const std::vector<std::string>& files) {
+    const std::string ending = "..default..0.rad";
+    std::vector<std::string> words;
+    for (const std::string& file : files) {
+        if (!base::ends_with(file, ending)) continue;
+        const std::string stem = file.substr(0, file.size() - ending.size()), group = stem.substr(stem.rfind('/') + 1);
+        words.push_back(group + "/0");
+        for (size_t k = 1;; ++k) {
+            const std::string other = fmt::format("{}..default..{}.rad", stem, k);
+            std::error_code absent;
+            if (!std::filesystem::exists(other, absent)) break;
+            words.push_back(fmt::format("{}/{}={}", group, k, base::command_line({"-" + file, "+" + other})));
+        }
+    }
+    if (words.empty())
+        base::fail("-honeybee-states", "the scene has no aperture group and no dynamic shade of Honeybee");
+    return words;
 }
 
 }  // namespace scene

@@ -23,4 +23,9 @@ constexpr size_t most_states = 64;
 // first one that it replaces stood, else at the end.  files: of the scene.  Throws Error (place: -state).
 std::vector<State> states_of(const std::vector<std::string>& words, const std::vector<std::string>& files);
 
+// The states of a Honeybee folder's aperture groups and dynamic shades as such words: those of the group of
+// south..default..0.rad are south/0, south/1 ... by the numbers of its files.  files: of the scene, which has the first
+// one of each.  Throws Error (place: the option) where there is none.
+std::vector<std::string> honeybee_states(const std::vector<std::string>& files);
+
 }  // namespace scene

@@ -10,6 +10,7 @@
 #include "base/number.h"
 #include "base/printable.h"
 #include "weather/lines.h"
+#include "year/honeybee_schedule.h"
 
 namespace year {
 namespace {
@@ -40,11 +41,27 @@ void add_daysims(const weather::Lines& in, std::vector<size_t>& numbers) {
     numbers[clock_hour({date, in.number(2, "the hour", 0, 23.999)})] = size_t(in.whole(3, "the state", 0, int(most)));
 }
 
+// 29 February repeats the day before.
+std::vector<size_t> of_leap_year(std::vector<size_t> values, const std::string& path) {
+    const auto leap_day = values.begin() + long(std::min(values.size(), before_leap_day));
+    if (values.size() == clock_hours_of_365) {
+        const std::vector<size_t> before(leap_day - 24, leap_day);
+        values.insert(leap_day, before.begin(), before.end());
+    }
+    if (values.size() != clock_hours)
+        base::fail(path, fmt::format("has {} numbers, not {} or {}", values.size(), clock_hours_of_365, clock_hours));
+    return values;
+}
+
 }  // namespace
 
 ShadeSchedule read_shade_schedule(const std::string& path, const std::string& group) {
     ShadeSchedule s;
     std::vector<size_t> values;
+    if (auto numbers = read_honeybee_schedule(path, group)) {
+        s.numbers = of_leap_year(std::move(*numbers), path);
+        return s;
+    }
     weather::Lines in(path);
     for (bool first = true; in.next(); first = false) {
         if (in.text()[0] == '#') continue;
@@ -64,13 +81,7 @@ ShadeSchedule read_shade_schedule(const std::string& path, const std::string& gr
         }
         if (values.size() > clock_hours) in.fail("more numbers than a year has hours");
     }
-    if (values.empty()) return s;
-    if (values.size() == clock_hours_of_365)  // 29 February repeats the day before
-        values.insert(values.begin() + before_leap_day, values.begin() + before_leap_day - 24,
-                      values.begin() + before_leap_day);
-    if (values.size() != clock_hours)
-        base::fail(path, fmt::format("has {} numbers, not {} or {}", values.size(), clock_hours_of_365, clock_hours));
-    s.numbers = std::move(values);
+    if (!values.empty()) s.numbers = of_leap_year(std::move(values), path);
     return s;
 }
 

@@ -15,8 +15,8 @@ struct ShadeSchedule {
 };
 
 // Lines: an hour's name, the group, the state; without a group: of all; what `vcyear -moves` writes.  Or a number for
-// each hour, 8,760 or 8,784 of them, as Honeybee's dynamic schedules have them; or Daysim's month,day,hour,number.
-// Throws Error (place: the line).
+// each hour, 8,760 or 8,784 of them, as Honeybee's dynamic schedules have them, also as .json; or Daysim's
+// month,day,hour,number. Throws Error (place: the line).
 ShadeSchedule read_shade_schedule(const std::string& path, const std::string& group);
 
 // Its number among the states of the group, from the most open on; 0 where the schedule does not name the hour.

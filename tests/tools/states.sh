@@ -45,6 +45,20 @@ check 'hours share their paths in each state' '
     hours() { printf " 2 0621_%s $1" 0530 1230 1330; }
     [ "$(sed 1d rows | cut -f 1,2 | uniq -c | tr -s " \t\n" " ")" = "$(hours open; hours half) " ]
     [ "$(grep 1230 rows | cut -f 9 | sort -u | wc -l)" = 2 ]'
+check 'the groups of a Honeybee folder with all their states, in the place of the first one' '
+    mkdir -p "m/model/scene" m/model/aperture_group m/model/scene_dynamic; cp sky.rad room.rad m/model/scene
+    cp roof.rad m/model/aperture_group/s..default..0.rad; cp "vast roof.rad" m/model/aperture_group/s..default..1.rad
+    cp roof.rad m/model/aperture_group/s..blk.rad
+    printf "# none\n" > m/model/scene_dynamic/t..default..0.rad
+    ptrace $view -frames 3 -honeybee-states m/model 2> said > groups.str
+    [ "$(strings groups.str | sed -n "s/^STATE=//p" | uniq | tr "\n" " ")" = "s/0+t/0 s/1+t/0 " ]
+    ptaccum -o "hb_%s.exr" < groups.str
+    ptrace $view -frames 3 m/model | ptaccum -last -o alone.exr
+    [ "$(mkstream differ alone.exr hb_s-0+t-0.exr)" = 0 ]
+    ptrace $view -frames 3 sky.rad room.rad "vast roof.rad" | ptaccum -last -o alone.exr
+    [ "$(mkstream differ alone.exr hb_s-1+t-0.exr)" = 0 ]'
+check_error 'and of no other scene' 1 '^ptrace: -honeybee-states: the scene has no aperture group and no dynamic shade' '
+    ptrace $view -frames 2 -honeybee-states sky.rad room.rad | cat'
 check_error 'edits are of one state' 1 '^ptrace: -state: edits are of one state' '
     ptrace $view -watch "${states[@]}" sky.rad room.rad | cat'
 check_error 'a file that is no part of the scene' 1 '^ptrace: -state: shut: "none.rad" is not a file of the scene$' '

@@ -176,6 +176,14 @@ TEST_CASE("a schedule names states by hours, or numbers them for each hour of th
     CHECK(of("month,day,hour,state\n1,1,1.5,1\n1,1,2.5,2\n") == hours);
     CHECK(of(moves_table(controlled(s, "schedule " + folder.holding("m.txt", "0101_0130 half\n0101_0230 shut\n")))) ==
           hours);
+    std::string list = "0, 1,2";
+    for (int i = 3; i < 8760; ++i) list += ",0";
+    const std::string json =
+        "{\"west\": {\"schedule\": [9]}, \"\": {\"identifier\": \"x\", \"schedule\": [" + list + "]}}";
+    CHECK(of(json) == hours);
+    CHECK(of("{\"west\": [9], \"\": [" + list + "]}") == hours);
+    CHECK(fault([&] { of("{\"west\": [1]}"); }).find("has no schedule of the group \"\"") != std::string::npos);
+    CHECK(fault([&] { of("{\"\": [1, x]}"); }).find("\" x\" is not the number of a state") != std::string::npos);
     CHECK(fault([&] { of("0101_0130 ajar\n"); }).find("0101_0130: no state is called \"ajar\"") != std::string::npos);
     CHECK(fault([&] { of("1\n2\n"); }).find("has 2 numbers, not 8760 or 8784") != std::string::npos);
     CHECK(fault([&] { of("0101_0130 half\nhuh\n"); }).find("s.txt:2: \"huh\" is neither") != std::string::npos);

@@ -101,6 +101,7 @@ void declare_pictures(OptionTable& t, Options& opt) {
         .within(-12, 12);
     t.add("-state words", "Pictures of the scene in this state: a name, and the files that it changes; may be repeated",
           opt.state_words);
+    t.add("-honeybee-states[+-]", "Pictures of a Honeybee folder in all states of its groups", opt.honeybee_states);
     t.add("-second-sky[+-]", "A scene may have a sun or a sky beside that of -wea or -sky", opt.second_sky);
 }
 

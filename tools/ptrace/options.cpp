@@ -102,6 +102,8 @@ void choose_hours(const base::OptionTable& table, Options& opt) {
 }
 
 void choose_states(Options& opt) {
+    if (opt.honeybee_states)
+        for (const std::string& word : scene::honeybee_states(opt.scene_files)) opt.state_words.push_back(word);
     opt.states = scene::states_of(opt.state_words, opt.scene_files);
     if (opt.states.size() < 2) return;
     if (is_live(opt)) base::fail("-state", "edits are of one state: -watch and -control do not go with several");

@@ -39,6 +39,7 @@ struct Options {
     std::string weather, hours = "all";     // -wea, -hours
     HourOptions hour_options;               // -occupied, -wea-shift
     std::vector<std::string> state_words;   // -state
+    bool honeybee_states = false;           // -honeybee-states
     std::vector<scene::State> states;       // of the scene, one at least
     std::string state;                      // the name of the one at hand
     bool last_state = true;                 // that it is
