@@ -48,6 +48,11 @@ bool is_label(const std::string& name) {
     return labels.count(name) > 0;
 }
 
+// A file is known by its name in whatever folder it lies; slashes of other names, such as states of groups, are theirs.
+std::string label_of(const std::string& column, const std::string& cell) {
+    return column == "file" ? name_in_folder(cell) : cell;
+}
+
 // Columns of words about a row.
 bool is_note(const std::string& name) { return name == errors_column || name == paths_column || name == hour_column; }
 
@@ -140,7 +145,7 @@ private:
         std::vector<std::string> label, note;
         for (size_t k = 0; k < cells.size(); ++k) {
             if (is_metric(header_[k])) row.push_back(number(cells[k], place_));
-            if (is_label(header_[k])) label.push_back(name_in_folder(cells[k]));
+            if (is_label(header_[k])) label.push_back(label_of(header_[k], cells[k]));
             if (is_note(header_[k])) note.push_back(cells[k]);
         }
         use(row, label, note);
@@ -175,7 +180,7 @@ private:
                 if (at == std::string::npos) base::fail(place_, "is not a JSON object of metrics");
                 if (is_label(name)) {
                     labels.push_back(name);
-                    label.push_back(name_in_folder(line.substr(start + 1, at - start - 1)));
+                    label.push_back(label_of(name, line.substr(start + 1, at - start - 1)));
                 }
                 if (is_note(name)) notes.push_back(name), note.push_back(line.substr(start + 1, at - start - 1));
                 ++at;

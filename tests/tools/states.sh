@@ -57,7 +57,7 @@ check 'the groups of a Honeybee folder with all their states, in the place of th
     [ "$(mkstream differ alone.exr hb_s-0+t-0.exr)" = 0 ]
     ptrace $view -frames 3 sky.rad room.rad "vast roof.rad" | ptaccum -last -o alone.exr
     [ "$(mkstream differ alone.exr hb_s-1+t-0.exr)" = 0 ]'
-check_error 'and of no other scene' 1 '^ptrace: -honeybee-states: the scene has no aperture group and no dynamic shade' '
+check_error 'and of no other scene' 1 '^ptrace: -honeybee-states: the scene has no aperture group and no' '
     ptrace $view -frames 2 -honeybee-states sky.rad room.rad | cat'
 check_error 'edits are of one state' 1 '^ptrace: -state: edits are of one state' '
     ptrace $view -watch "${states[@]}" sky.rad room.rad | cat'

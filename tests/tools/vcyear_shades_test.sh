@@ -61,6 +61,17 @@ check 'likewise with a second table, and views of open shades alone' '
     grep -q "^shades    open [0-9.]* %.*, closed [1-9]" two'
 check_error 'of sensors, views close shades' 1 '^vcyear: glare 0.4: reads a table of views: -by$' '
     vcyear -w- -closed w.tsv o.tsv'
+check 'two groups, each with its own rule' '
+    ptrace -w- -points desk.pts -wea y.wea -frames 5 -state s/open -state s/shut=half.rad -state w/open \
+        -state w/shut=whole.rad paint.rad 2> said | ptaccum -every x2 | vcmetrics -W- -each > groups.tsv
+    printf "0321_0930 w shut\n0321_1230 s shut\n" > days.txt
+    vcyear -w- -shades "schedule days.txt" -moves moves.tsv groups.tsv > two
+    grep -qx "shades    s: open 80.0 %, shut 20.0 % of the hours" two
+    grep -qx "shades    w: open 80.0 %, shut 20.0 % of the hours" two
+    grep -qx "0321_1230	s	shut	shut	schedule days.txt" moves.tsv
+    grep -qx "0321_1230	w	open	open	-" moves.tsv
+    vcyear -w- -state s/shut+w/open groups.tsv | grep -q "^hours     5, 1 dark"
+    vcyear -w- -state s/shut+w/shut groups.tsv | grep -q "^DA        0.0 %"'
 check_error 'which needs that table' 1 '^vcyear: glare: reads a table of views: -by$' 'shade -shades glare'
 check_error 'tables of several states need rules' 1 '^vcyear: all.tsv: has states "open" and "half": -shades says' \
     'vcyear all.tsv'
