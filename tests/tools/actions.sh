@@ -86,3 +86,25 @@ check_error 'not with others' 1 '^vcmetrics: f.exr: is no picture of an action' 
     vcmetrics -difference -metrics mEDI f_mel.exr f.exr'
 check_error 'nor as ordinary ones' 1 '^vcmetrics: f_mel.exr: is of action mel' '
     vcmetrics -difference -metrics Ev f_mel.exr f_mel.exr'
+
+# Sensors: the same pixels, as a grid
+grid() { LC_ALL=C sed "s|^VIEW=.*|GRID=floor 0 256 irradiance 0123456789abcdef|"; }
+grid < long.str | ptaccum -every x2/16 2> said > floor.str
+check 'numbers of sensors by an action stand in the row of its last picture' '
+    columns "mean,floor.mEDI.mean,mEDI.share250,EvV.mean" -last < floor.str > rows; [ "$(wc -l < rows)" = 2 ]
+    [ "$(head -n 1 rows | cut -f 3- | tr "\t" "\n" | grep -v "[.][lh][oi]$" | tr "\n" " ")" = \
+        "floor.mean floor.mEDI.mean floor.mEDI.share250 floor.EvV.mean " ]
+    tail -n 1 rows | awk "function near(a, b) { if ((a/b - 1)^2 > 1e-8) { print a, b; exit 1 } }
+        { near(\$6, .6*\$3); near(\$7, .6*\$4); near(\$12, 1.2*\$3); exit !(\$9 > 0 && \$9 < 1) }"'
+check 'each sensor has both in a row' '
+    columns mEDI -each < floor.str > each; [ "$(wc -l < each)" = 257 ]
+    [ "$(head -n 1 each | cut -f 3-9 | tr "\t" " ")" = "E lo hi mEDI mEDI.lo mEDI.hi errors" ]
+    awk "NR > 1 && (\$6/\$3 - .6)^2 > 1e-8 { exit 1 }" each; tail -n 1 each | grep -q " mEDI=[0-9]"'
+check 'who asks for no action of sensors has the rows of before' '
+    columns mean < floor.str > with; mkstream last 64 < o | grid | ptaccum -every x2/16 2> said | columns mean > without
+    cut -f 1,3- with | diff - <(cut -f 1,3- without)'
+check 'a rule of sensors waits for its pictures' '
+    columns mEDI.mean -until "mEDI.mean 20%" < floor.str > rows; grep -q "^vcmetrics: .*stopped after" said
+    [ "$(tail -n 1 rows | cut -f 1)" -lt 64 ] && tail -n 1 rows | awk "{ exit !(\$3 > 100) }"'
+check_error 'the ratio is of views' 1 '^vcmetrics: -metrics: floor.mDER.mean: the ratio is of views' '
+    vcmetrics -metrics floor.mDER.mean < floor.str'

@@ -4,13 +4,16 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 #include <utility>
 
+#include "action_plan.h"
 #include "base/error.h"
 #include "base/split.h"
-#include "display/point_map.h"
+#include "glare/actions.h"
 #include "image/grey.h"
 #include "image/header.h"
 #include "report/errors.h"
@@ -46,41 +49,88 @@ void refuse_options_of_views(const Options& o) {
         if (given) base::fail(name, "works on pictures of a view, not on pictures of points");
 }
 
-std::string grid_errors(const uncertainty::NoisyValues& v, size_t i, bool halves) {
-    std::string cell;
+constexpr GridNumber unknown{NAN, {NAN, NAN}};
+
+void add_grid_error(const std::string& name, const uncertainty::NoisyValues& v, size_t i, bool halves,
+                    std::string& cell) {
     if (v.degrees > 0)
-        add_error("E", {v.error[i], v.degrees, halves ? point_halves(v, i) : uncertainty::Halves{}}, cell);
-    return cell.empty() ? "-" : cell;
+        add_error(name, {v.error[i], v.degrees, halves ? point_halves(v, i) : uncertainty::Halves{}}, cell);
+}
+
+// "floor.mEDI.mean": of which pictures, and the column there.
+std::pair<std::string, std::string> kind_and_column(const std::string& name) {
+    std::string of, column;
+    size_t from = 0;
+    for (size_t dot = 0; dot != std::string::npos; from = dot + 1) {
+        dot = name.find('.', from);
+        const std::string word = name.substr(from, dot == std::string::npos ? dot : dot - from);
+        const auto action = glare::action_column(word);
+        if (action && action->metric == "Ev" && action->ratio)
+            base::fail("-metrics",
+                       name + ": the ratio is of views; of sensors there are " + action->action + " and EvV");
+        if (action && action->metric == "Ev" && of.empty()) of = word;
+        else column += (column.empty() ? "" : ".") + word;
+    }
+    return {of, column};
+}
+
+size_t grid_kind(std::vector<GridKind>& kinds, const std::string& illuminance) {
+    for (size_t k = 0; k < kinds.size(); ++k)
+        if (kinds[k].illuminance == illuminance) return k;
+    kinds.push_back({illuminance});
+    return kinds.size() - 1;
+}
+
+std::vector<GridCell> cells_of(const std::string& name, const image::Header& h, const std::string& place,
+                               std::vector<GridKind>& kinds) {
+    const auto [of, column] = kind_and_column(name);
+    std::vector<GridCell> out;
+    for (GridColumn c : grid_columns({column}, h.grids, place)) {
+        if (!of.empty()) c.name = h.grids[c.grid].name + "." + of + c.name.substr(h.grids[c.grid].name.size());
+        out.push_back({std::move(c), grid_kind(kinds, of)});
+    }
+    return out;
 }
 
 GridState begin(const Options& o, const image::Header& h, Progress progress) {
     refuse_options_of_views(o);
     GridState s;
     s.progress = std::move(progress);
+    s.kinds.push_back({""});
     if (!o.points_files.empty() || !o.over_file.empty()) s.points = points_of(o, h.grids);
     if (!h.grids[0].sensors && !o.like_rtrace && !o.each)
         base::fail("", "the picture holds radiances along rays; -each or -like rtrace prints them");
-    const std::vector<std::string> names = o.metrics.empty() ? base::split_list(default_grid_numbers, ',') : o.metrics;
-    s.columns = grid_columns(names, h.grids, "-metrics");
+    if (o.each)
+        for (const std::string& name : o.metrics) grid_kind(s.kinds, kind_and_column(name).first);
+    const bool default_numbers = o.metrics.empty() || o.each;
+    for (const std::string& name : default_numbers ? base::split_list(default_grid_numbers, ',') : o.metrics)
+        for (GridCell& c : cells_of(name, h, "-metrics", s.kinds)) s.columns.push_back(std::move(c));
     if (!o.until.empty())
         for (const Tolerance& t : parse_tolerances(o.until, "-until"))
-            for (const GridColumn& c : grid_columns({t.metric}, h.grids, "-until"))
-                s.rule.push_back(t), s.of_rule.push_back(c);
+            for (GridCell& c : cells_of(t.metric, h, "-until", s.kinds))
+                s.rule.push_back(t), s.of_rule.push_back(std::move(c));
     return s;
 }
 
-bool rule_holds(const GridState& s) {
-    for (size_t i = 0; i < s.rule.size(); ++i)
-        if (!holds(s.rule[i], s.of_rule[i], s.grids)) return false;
-    return true;
+bool is_complete(const GridState& s) {
+    return std::all_of(s.kinds.begin(), s.kinds.end(), [](const GridKind& k) { return k.ended; });
 }
 
-// Of the first share of the rule, or of the table.
-double limit_of_map(const GridState& s) {
-    for (const std::vector<GridColumn>& columns : {s.of_rule, s.columns})
-        for (const GridColumn& c : columns)
-            if (c.kind == GridColumn::Kind::share) return c.argument;
-    return 300;
+// Pictures of actions that the rule does not name are rendered to their end.
+bool grids_wait(const GridState& s) {
+    for (size_t k = 1; k < s.kinds.size(); ++k) {
+        const auto names = [&](const GridCell& c) { return c.kind == k; };
+        if (!s.kinds[k].ended && std::none_of(s.of_rule.begin(), s.of_rule.end(), names)) return true;
+    }
+    return false;
+}
+
+bool rule_holds(const GridState& s) {
+    for (size_t i = 0; i < s.rule.size(); ++i) {
+        const GridKind& kind = s.kinds[s.of_rule[i].kind];
+        if (kind.grids.empty() || !holds(s.rule[i], s.of_rule[i].column, kind.grids)) return false;
+    }
+    return true;
 }
 
 Line grid_row(const Options& o, const GridState& s, int64_t frame, double seconds) {
@@ -89,8 +139,9 @@ Line grid_row(const Options& o, const GridState& s, int64_t frame, double second
     if (!s.header.sky_name.empty()) add(line, "sky", text_cell(s.header.sky_name));
     if (!s.header.state.empty()) add(line, "state", text_cell(s.header.state));
     if (s.header.edit) add(line, "edit", double(*s.header.edit));
-    for (const GridColumn& c : s.columns) {
-        const GridNumber v = grid_number(c, s.grids, 1 - o.ci.value_or(.95));
+    for (const auto& [c, k] : s.columns) {
+        const std::vector<uncertainty::NoisyValues>& grids = s.kinds[k].grids;
+        const GridNumber v = grids.empty() ? unknown : grid_number(c, grids, 1 - o.ci.value_or(.95));
         if (o.ci) add_bounds(line, c.name, v.value, v.limits.low, v.limits.high);
         else add(line, c.name, v.value);
     }
@@ -112,97 +163,93 @@ Line point_row(const Options& o, const GridState& s, size_t g, size_t i) {
         add(line, "x", p.p.x), add(line, "y", p.p.y), add(line, "z", p.p.z);
         add(line, "dx", p.dir.x), add(line, "dy", p.dir.y), add(line, "dz", p.dir.z);
     }
-    const uncertainty::Interval limits = point_limits(s.grids[g], i, 1 - o.ci.value_or(.95));
-    add(line, "E", s.grids[g].value[i]), add(line, "lo", limits.low), add(line, "hi", limits.high);
-    add(line, errors_column, text_cell(grid_errors(s.grids[g], i, prints_halves(o, s.header))));
+    std::string errors;
+    for (const GridKind& k : s.kinds) {
+        GridNumber v = unknown;
+        if (!k.grids.empty())
+            v = {k.grids[g].value[i], point_limits(k.grids[g], i, 1 - o.ci.value_or(.95))},
+            add_grid_error(k.illuminance.empty() ? "E" : k.illuminance, k.grids[g], i, prints_halves(o, s.header),
+                           errors);
+        if (!k.illuminance.empty()) add_bounds(line, k.illuminance, v.value, v.limits.low, v.limits.high);
+        else add(line, "E", v.value), add(line, "lo", v.limits.low), add(line, "hi", v.limits.high);
+    }
+    add(line, errors_column, text_cell(errors.empty() ? "-" : errors));
     if (!paths.empty()) add(line, paths_column, text_cell(paths));
     if (s.header.hour) add(line, hour_column, text_cell(i == 0 ? hour_of(s.header) : "-"));
     return line;
+}
+
+// None: nothing is measured in it, and the ordinary picture has come.  V by itself is an ordinary one.
+std::optional<size_t> kind_of(const GridState& s, const image::Header& h) {
+    const std::string illuminance = h.action ? glare::illuminance_of(*h.action) : "";
+    for (size_t k = 0; k < s.kinds.size(); ++k)
+        if (s.kinds[k].illuminance == illuminance) return k;
+    if (s.kinds[0].frames >= 0) return std::nullopt;
+    require_pictures_of("", h, "");
+    return 0;
 }
 
 }  // namespace
 
 GridStep step(const Options& o, GridState s, image::Picture& p, int64_t frame, double seconds) {
     const image::Header& h = p.header;
-    const std::string label = image::label(h);
-    s.progress = begin(o, std::move(s.progress), label, h.frames.value_or(0));
-    if (s.progress.done) return {std::move(s), "", {}};
     if (image::count_of(h.grids) > size_t(p.width) * size_t(p.height))
         base::fail("", "GRID= lines have more points than pixels");
-    const bool plain = !o.each && !o.like_rtrace && !(o.last && is_followed(h, frame)),
-               other_sky = h.sky_name != s.header.sky_name || h.state != s.header.state;
-    if (!s.columns.empty() && other_sky) tell_if_alone(o, s);
-    const bool first = s.columns.empty() || !(h.grids == s.header.grids);  // points change in a live stream
-    std::string text = !s.columns.empty() && other_sky ? rows_of_points(o, s) : "";
+    const bool begun = !s.kinds.empty(),
+               first = !begun || !(h.grids == s.header.grids);  // they change in a live stream
+    const auto has_come = [](const GridKind& k) { return k.frames >= 0; };
+    const bool other = begun && (h.sky_name != s.header.sky_name || h.state != s.header.state ||
+                                 (!h.action && std::any_of(s.kinds.begin() + 1, s.kinds.end(), has_come)));
+    std::string text;
+    if (other) tell_if_alone(o, s), text = rows_of_points(o, s);
     std::vector<std::string> names = std::move(s.names);
     if (first) s = begin(o, h, std::move(s.progress));
     s.names = std::move(names);
+    if (other) s.held_back.clear();
+    if (other)
+        for (GridKind& kind : s.kinds) kind = {kind.illuminance};
+    const std::optional<size_t> at = kind_of(s, h);
+    if (!at) return {std::move(s), text, {}};
+    s.progress = begin(o, std::move(s.progress), image::label(h), h.frames.value_or(0));
+    s.header = h;
+    if (s.progress.done) return {std::move(s), text, {}};
+    const bool plain = !o.each && !o.like_rtrace && !(o.last && is_followed(h, frame));
     std::vector<float> grey = image::grey_of(p.rgb);
     if (!h.unknown.empty()) grey.assign(grey.size(), std::numeric_limits<float>::quiet_NaN());
     const int64_t n = h.frames.value_or(0);
-    if (first || n <= s.parts.frames() || other_sky) s.parts.restart(), s.held = 0;
-    if (!p.parts.empty()) s.parts.resume(p.parts, grey, n);
-    else s.parts.add(grey.data(), grey.size(), n, h.seed);
-    s.header = h;
-    s.rgb = std::move(p.rgb);
-    s.grids.clear();
+    GridKind& kind = s.kinds[*at];
+    if (n <= kind.frames || kind.frames < 0) kind.parts.restart(), s.held = 0;
+    kind.frames = n, kind.ended = !is_followed(h, frame);
+    if (!p.parts.empty()) kind.parts.resume(p.parts, grey, n);
+    else kind.parts.add(grey.data(), grey.size(), n, h.seed);
+    if (*at == 0) s.rgb = std::move(p.rgb);
+    kind.grids.clear();
     for (const image::Grid& g : h.grids)
-        s.grids.push_back(
-            uncertainty::noisy_values(s.parts.parts(), grey.data(), g.first, g.count, image::lumens_per_watt));
+        kind.grids.push_back(
+            uncertainty::noisy_values(kind.parts.parts(), grey.data(), g.first, g.count, image::lumens_per_watt));
     if (plain || o.each) {
         const Line line = plain ? grid_row(o, s, frame, seconds) : point_row(o, s, 0, 0);
         if (line.names != s.names) text += header_line(line.names, o.format);
         s.names = line.names;
-        if (plain) text += table_line(line, o.format);
+        s.held_back = plain ? table_line(line, o.format) : "";
+        if (plain && !(o.last && !is_complete(s))) text += std::exchange(s.held_back, "");
     }
     // Two pictures in a row: of many looks at a rule, single ones find that it holds before it does.
     if (!s.rule.empty()) s.held = n >= uncertainty::least_frames && rule_holds(s) ? s.held + 1 : 0;
     Verdict verdict;
-    std::tie(s.progress, verdict) = decide(o, {s.held >= 2, "-until holds", ""}, std::move(s.progress),
-                                           {n, seconds, nullptr, false, p.width, p.height, h.last_frame == frame});
+    std::tie(s.progress, verdict) =
+        decide(o, {s.held >= 2 && !grids_wait(s), "-until holds", ""}, std::move(s.progress),
+               {n, seconds, nullptr, false, p.width, p.height, h.last_frame == frame});
     return {std::move(s), text, verdict};
 }
 
-void draw_map(const Options& o, const GridState& s) {
-    const double certain = o.ci.value_or(.95), alpha = 1 - certain;
-    const bool lux = s.header.grids[0].sensors;
-    display::MapColumn values{lux ? "lx" : "cd/m2", limit_of_map(s), {}, {}, {}}, widths = values;
-    values.says_hatched = fmt::format("hatched: the {:g} % interval holds it", 100 * certain);
-    widths.unit += fmt::format(", half of the {:g} % interval", 100 * certain);
-    widths.limit = std::nullopt;
-    std::vector<std::string> names;
-    std::vector<std::vector<image::Point>> points;
-    for (size_t g = 0; g < s.grids.size(); ++g) {
-        const image::Grid& grid = s.header.grids[g];
-        if (grid.name == grid_outside) continue;
-        names.push_back(grid.name);
-        const auto first = s.points.begin() + long(grid.first);
-        points.emplace_back(first, first + long(grid.count));
-        values.values.push_back(s.grids[g].value);
-        values.hatched.emplace_back(), widths.values.emplace_back();
-        for (size_t i = 0; i < grid.count; ++i) {
-            const uncertainty::Interval limits = point_limits(s.grids[g], i, alpha);
-            values.hatched.back().push_back(limits.low < *values.limit && *values.limit <= limits.high);
-            widths.values.back().push_back(limits.half_width());
-        }
-    }
-    const auto words = [&](size_t g, size_t i) {
-        const double value = values.values[g][i], width = widths.values[g][i];
-        const base::Vec3 p = points[g][i].p;
-        const std::string noise = std::isfinite(width) ? " \u00b1 " + rounded(width, width) : "";
-        return fmt::format("{}: {}{} {} at {:.6g}, {:.6g}, {:.6g}", names[g], rounded(value, width), noise, values.unit,
-                           p.x, p.y, p.z);
-    };
-    display::write_canvas(o.over_file, display::point_maps(names, points, {values, widths}, words), o.command);
-}
-
 void tell_if_alone(const Options& o, const GridState& s) {
-    if ((o.ci || o.each) && s.parts.parts().size() == 1)
+    if ((o.ci || o.each) && s.kinds[0].parts.parts().size() == 1)
         base::warn(image::label(s.header), std::string("no intervals: ") + no_batches);
 }
 
 std::string rows_of_points(const Options& o, const GridState& s) {
-    std::string text;
+    std::string text = s.held_back;
     const std::vector<image::Grid>& grids = s.header.grids;
     if (o.like_rtrace)
         for (size_t i = 0; i < image::count_of(grids); ++i)

@@ -10,16 +10,29 @@
 #include "report/until.h"
 #include "stopping.h"
 
-// State between two pictures; without columns there was none yet.
+// Ordinary pictures, or those of an action (ACTION=) of the same points, sky and state.
+struct GridKind {
+    std::string illuminance;  // of the action, "mEDI"; empty: ordinary ones
+    image::GrowingParts parts = image::GrowingParts();
+    std::vector<uncertainty::NoisyValues> grids = {};  // of the last picture; empty: none has come
+    int64_t frames = -1;
+    bool ended = false;
+};
+struct GridCell {
+    report::GridColumn column;
+    size_t kind = 0;
+};
+
+// State between two pictures; without kinds there was none yet.
 struct GridState {
-    std::vector<report::GridColumn> columns;
+    std::vector<GridKind> kinds;  // ordinary ones first
+    std::vector<GridCell> columns;
     std::vector<std::string> names;  // of the table's columns
+    std::string held_back;           // with -last: the row, until the pictures of its actions have come
     std::vector<report::Tolerance> rule;
-    std::vector<report::GridColumn> of_rule;  // the column of each tolerance
-    image::GrowingParts parts;
-    image::Header header;    // of the last picture
-    std::vector<float> rgb;  // its pixels
-    std::vector<uncertainty::NoisyValues> grids;
+    std::vector<GridCell> of_rule;     // the column of each tolerance
+    image::Header header;              // of the last picture
+    std::vector<float> rgb;            // pixels of the last ordinary one
     std::vector<image::Point> points;  // of -points, where they are needed
     int held = 0;                      // how many pictures in a row the rule has held at
     Progress progress;

@@ -156,7 +156,7 @@ int measure_all(const Options& asked) {
         image::StreamReader reader(file, pixels_for(o), o.scene_options.opener(""));
         for (long index = 0; reader.next(picture); ++index) {
             base::finish_on_signal();  // from the first picture on: its line is finished
-            if (!picture.header.grids.empty() || !grids.columns.empty()) {
+            if (!picture.header.grids.empty() || !grids.kinds.empty()) {
                 if (picture.header.grids.empty()) base::fail(place_of(file, index).text, "is not a picture of points");
                 if (!o.report_file.empty()) base::fail("-report", "is of pictures of a view");
                 require_measurable(picture, place_of(file, index).text);
@@ -192,8 +192,8 @@ int measure_all(const Options& asked) {
         run.sum = end_input(std::move(run.sum), place_of(file, 0).text, run.plan.needs_looks && run.plan.reports);
     }
     run.group = end_group(run.plan, std::move(run.group));
-    say_end(o, grids.columns.empty() ? run.progress : grids.progress);
-    if (!grids.columns.empty()) return end_of(o, grids);
+    say_end(o, grids.kinds.empty() ? run.progress : grids.progress);
+    if (!grids.kinds.empty()) return end_of(o, grids);
     if (!planned) plan_run(o);                                             // says what is wrong
     if (o.mode == OutputMode::evalglare && o.evalglare.ev_only) return 1;  // as evalglare -V
     return end(status(o, run.progress));

@@ -16,6 +16,7 @@
 #include "base/warnings.h"
 #include "base/model_folder.h"
 #include "declare.h"
+#include "glare/actions.h"
 #include "image/stream.h"
 
 namespace {
@@ -60,13 +61,20 @@ void check_intervals(const Options& o) {
         base::fail(option, "needs the whole picture as it is and cannot be used with -G or -I");
 }
 
+// Of an action: mEDI, not mDER.
+bool is_illuminance(const std::string& name) {
+    const auto action = glare::action_column(name);
+    return action && action->name == action->action;
+}
+
 void check(const Options& o) {
     if (o.settings.mask_file && o.settings.zones) base::fail("-A", "a mask and zones (-l, -L) cannot be used together");
     if (o.mode != OutputMode::vcmetrics && !o.difference && (o.list_sources || !o.metrics.empty()))
         base::fail("-like", "prints its own columns and cannot be used with -metrics or -sources");
     if (o.mode != OutputMode::vcmetrics && !o.until.empty())
         base::fail("-until", "works on vcmetrics' own columns and cannot be used with -like");
-    if ((o.each || o.like_rtrace) && !o.metrics.empty())
+    const bool of_actions = std::all_of(o.metrics.begin(), o.metrics.end(), is_illuminance);
+    if ((o.like_rtrace && !o.metrics.empty()) || (o.each && !of_actions))
         base::fail("-metrics", "are of grids as a whole, and cannot be used with -each or -like rtrace, of each point");
     if (o.list_sources && !o.until.empty()) base::fail("-until", "works on metrics and cannot be used with -sources");
     check_intervals(o);
