@@ -246,8 +246,7 @@ std::string page_text(const Page& page) {
     out += "</div>\n" + legend(page.legend) + where_and_when(page) + numbers(page, "Numbers", page.numbers, words_of) +
            "</section>\n<section>\n";
     if (!page.plan.svg.empty())
-        out += numbers(page, "Plan", page.plan.numbers, words_of_grid) + plan_maps(page.plan.svg) +
-               "</section>\n<section>\n";
+        out += numbers(page, "Plan", page.plan.numbers, words_of_grid) + plan_maps(page.plan.svg);
     out += variants_and_day(page) + sources(page) + origin(page);
     return out +
            "<p class=\"note\">Intervals cover the noise of the rendering, not the model, the materials, the sky or how "

@@ -9,6 +9,7 @@
 
 #include "base/angle.h"
 #include "base/printable.h"
+#include "base/split.h"
 #include "report/table.h"
 
 namespace report {
@@ -44,19 +45,28 @@ std::string criteria_table(const Page& page) {
     return out + "</tbody></table>\n";
 }
 
+// "Ev 1704 (1696 to 1712)"; "Ev.d -1142 ..." is a change; what pixels add is of no use here.
+static std::string line_of_variant(const std::string& line) {
+    const size_t end = line.find(' '), dot = line.substr(0, end).rfind('.');
+    if (end == std::string::npos || dot == std::string::npos) return "<br>" + escaped(line);
+    const std::string name = line.substr(0, dot), kind = line.substr(dot, end - dot);
+    if (kind == ".px" || base::ends_with(name, ".px")) return "";
+    return "<br>" + escaped(kind == ".d" ? name + " changed by" + line.substr(end) : line);
+}
+
 std::string variants_and_day(const Page& page) {
     std::string out;
     for (const Page::Variant& v : page.variants) {
         out += fmt::format("<figure><img alt=\"{0}\" src=\"data:image/png;base64,{1}\"><figcaption><b>{0}</b>",
                            escaped(v.name), base::base64(v.png));
-        for (const std::string& line : v.lines) out += "<br>" + escaped(line);
+        for (const std::string& line : v.lines) out += line_of_variant(line);
         out += "</figcaption></figure>\n";
     }
     if (!out.empty())
         out =
-            "<h2>Variants</h2>\n<p class=\"note\">Luminances in the scale above. NAME.d: the difference from what "
-            "edits "
-            "are compared with.</p>\n<div class=\"drawings variants\">\n" +
+            "<h2>Variants</h2>\n<p class=\"note\">Luminances in the scale above; changes are from what edits are "
+            "compared "
+            "with.</p>\n<div class=\"drawings variants\">\n" +
             out + "</div>\n";
     if (page.day.empty()) return out;
     out += "<h2>The day</h2>\n<table class=\"numbers\"><tbody>\n";

@@ -145,6 +145,14 @@ TEST_CASE("the hour of a sky's line in words, which way the eye looks, and where
     CHECK(holds(report::page_text(page), "The eye looks down.</p>"));
 }
 
+TEST_CASE("a variant's lines have changes in words, and nothing of pixels") {
+    Page page = sample();
+    page.variants = {
+        {"B", "png", {"Ev 17 (16 to 18)", "Ev.d -11 (-12 to -10)", "DGP.px .003", "DGP.px.d -.01", "odd"}}};
+    CHECK(holds(report::page_text(page),
+                "<b>B</b><br>Ev 17 (16 to 18)<br>Ev changed by -11 (-12 to -10)<br>odd</figcaption>"));
+}
+
 TEST_CASE("a picture is in the page by its bytes") {
     Page page = sample();
     for (const auto& [bytes, text] : {std::pair("M", "TQ=="), {"Ma", "TWE="}, {"Man", "TWFu"}, {"Many", "TWFueQ=="}}) {

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 #include "base/text_file.h"
@@ -85,7 +86,24 @@ std::vector<std::string> changed_file(const Options& o, const std::string& file,
     return lines;
 }
 
+// Of the regions of a column: "desk" of desk.TAL, "low" and "high" of low/high.CR.
+std::vector<std::string> regions_of(const std::string& column) {
+    const size_t dot = column.rfind('.');
+    if (dot == std::string::npos || column.substr(dot) == ".px") return {};
+    return base::split_list(column.substr(0, dot), '/');
+}
+
 }  // namespace
+
+void leave_out_undrawn(const std::vector<std::string>& regions, std::vector<report::Page::Number>& numbers) {
+    const auto is_undrawn = [&](const report::Page::Number& n) {
+        const std::vector<std::string> names = regions_of(n.name);
+        return std::isnan(n.value) && std::any_of(names.begin(), names.end(), [&](const std::string& name) {
+                   return std::find(regions.begin(), regions.end(), name) == regions.end();
+               });
+    };
+    numbers.erase(std::remove_if(numbers.begin(), numbers.end(), is_undrawn), numbers.end());
+}
 
 std::vector<std::string> commands_of(const Options& o, const image::Picture& picture, const std::string& view,
                                      const std::vector<std::string>& regions) {

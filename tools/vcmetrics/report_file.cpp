@@ -289,6 +289,7 @@ void write_report(const Options& o, const image::Picture& picture, const RunStat
     std::vector<std::string> regions;
     if (!o.regions_file.empty())
         for (const image::Mask& m : regions_in(o, picture).masks) regions.push_back(m.name);
+    if (picture.header.edit) leave_out_undrawn(regions, page.numbers);
     page.commands = commands_of(o, picture, view::to_options(page.view), regions);
     if (!o.plan_map.empty()) page.plan = {base::read_text_file(o.plan_map, longest_map), recorded(o.plan_numbers)};
     page.version = std::string("luxpipe ") + LUXPIPE_VERSION;
