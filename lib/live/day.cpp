@@ -147,11 +147,26 @@ std::string json_of_first(const State& s) {
                          {"Ev", json::number(f.row[3])}});
 }
 
+// Without the night: no light, or as much as at another hour of that end, which is that of lamps.
+std::map<int, std::array<double, 4>> lit_hours(const Day& day) {
+    std::map<int, std::array<double, 4>> out = day.hours;
+    double brightest = 0;
+    for (const auto& [hour, row] : day.hours) brightest = std::max(brightest, row[3]);
+    for (const auto& of : day.hours) {
+        const bool after = of.first > noon;
+        const bool is_night = std::any_of(day.hours.begin(), day.hours.end(), [&](const auto& other) {
+            return other.first != of.first && (other.first > noon) == after &&
+                   is_dark(of.second[3], other.second[3], brightest);
+        });
+        if (of.second[3] < dark_lx || (day.ends[after] && is_night)) out.erase(of.first);
+    }
+    return out;
+}
+
 std::string json_of_day(const State& s) {
     if (!s.day.sky) return "null";
     std::vector<std::vector<double>> hours;
-    for (const auto& [hour, row] : s.day.hours)
-        if (row[3] >= dark_lx) hours.push_back({double(hour), row[0], row[1], row[2]});
+    for (const auto& [hour, row] : lit_hours(s.day)) hours.push_back({double(hour), row[0], row[1], row[2]});
     return json::object({{"file", std::to_string(*s.day.sky)},
                          {"hours", json::list_of(hours, json::numbers)},
                          {"ended", json::truth(!next_hour(s.day))}});

@@ -13,6 +13,7 @@
 #include "image/stream.h"
 #include "live/child.h"
 #include "live/json.h"
+#include "live/steps.h"
 #include "live/temp_folder.h"
 
 namespace live {
@@ -158,7 +159,7 @@ static std::vector<std::string> others_of_report(const State& s, const TempFolde
                     folder.write(of + ".lines", lines)});
     }
     std::string hours;
-    for (const auto& [hour, row] : s.day.hours) {
+    for (const auto& [hour, row] : lit_hours(s.day)) {
         char line[100];
         std::snprintf(line, sizeof line, "%d:00: DGPf %.3f (%.3f to %.3f), %.0f lx at the eye\n", hour, row[0], row[1],
                       row[2], row[3]);

@@ -29,6 +29,7 @@ void take(State& s, Effects& out, const Ended& ended);
 void look_at_day(State& s, Effects& out);
 void take_of_day(State& s, const Measured& row);
 void fail_hour(State& s);
+std::map<int, std::array<double, 4>> lit_hours(const Day& day);  // DGPf, its interval, lx
 std::string json_of_day(const State& s);
 std::string json_of_first(const State& s);
 void look_at_plan(State& s, Effects& out);

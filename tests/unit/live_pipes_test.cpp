@@ -3,6 +3,7 @@
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
+#include "live/steps.h"
 #include "live_page_model.h"
 
 TEST_CASE("programs that die are named, started again once with the design as it is, then by a click") {
@@ -221,6 +222,27 @@ TEST_CASE("regions that are drawn while the picture rests are measured") {
     CHECK(page.take().empty());
     settled(300);
     CHECK(page.take() == "pause\n");
+}
+
+TEST_CASE("hours of the night are none of the day, with lamps or without") {
+    live::Day day;
+    const auto hours = [&] {
+        std::string out;
+        for (const auto& [hour, row] : live::lit_hours(day)) out += std::to_string(hour) + " ";
+        return out;
+    };
+    for (const auto& [hour, lx] :
+         {std::pair(5, 20.), {6, 20.1}, {7, 90.}, {12, 2300.}, {16, 400.}, {17, 21.}, {18, 20.}})
+        day.hours[hour] = {.2, .19, .21, lx};
+    CHECK(hours() == "5 6 7 12 16 17 18 ");  // more may come
+    day.ends[0] = true;
+    CHECK(hours() == "7 12 16 17 18 ");
+    day.ends[1] = true;  // 17 and 18 differ: it is dusk
+    CHECK(hours() == "7 12 16 17 18 ");
+    day.hours[19] = day.hours[18];
+    CHECK(hours() == "7 12 16 17 ");
+    day.hours[17][3] = .5;
+    CHECK(hours() == "7 12 16 ");
 }
 
 TEST_CASE("an hour of the day has the numbers of its own edit") {
