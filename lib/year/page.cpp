@@ -186,7 +186,9 @@ std::string origin(const Page& page) {
             if (line.find("ptrace ") != std::string::npos && std::find(made.begin(), made.end(), line) == made.end())
                 made.push_back(line);
     add_fact(list, "Pictures", lines(made));
-    add_fact(list, "Files", lines(page.files));
+    std::string files;
+    for (const std::string& file : page.files) files += (files.empty() ? "" : ", ") + file;
+    add_fact(list, "Files", lines({files}));
     add_fact(list, "Program", escaped(page.version));
     return "<h2>What it rests on</h2>\n<dl>\n" + list + "</dl>\n";
 }

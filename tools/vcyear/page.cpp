@@ -54,6 +54,8 @@ year::Page page_of(const Options& o, const Counted& c, const std::vector<year::V
     page.files = o.tables;
     for (const auto& more : {o.closed, o.by, o.planes, o.openings, o.eyes, o.pictures})
         page.files.insert(page.files.end(), more.begin(), more.end());
+    for (const std::string& file : {o.en17037, o.sun_steps, o.view_out})
+        if (!file.empty()) page.files.push_back(file);
     page.version = std::string("luxpipe ") + LUXPIPE_VERSION;
     return page;
 }
