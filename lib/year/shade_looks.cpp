@@ -91,7 +91,7 @@ Kept sun_kept(const ReadyRule& r, const ShadeStates& direct, const std::string& 
     for (const Grid& grid : direct.open().grids) {
         const std::vector<std::string>& at = r.rule.at;
         if (!at.empty() && std::find(at.begin(), at.end(), grid.name) == at.end()) continue;
-        const GridHour& h = direct.hour_of_grid(known, grid.name, time.minute_of_year());
+        const GridHour h = direct.hour_of_grid(known, grid.name, time.minute_of_year());
         sensors += double(h.sensors.size());
         if (missing = missing || is_missing(h); missing) continue;
         for (const Lux& e : h.sensors) value += e.value >= lux;

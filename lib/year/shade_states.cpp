@@ -6,9 +6,12 @@
 
 #include "base/error.h"
 #include "base/split.h"
+#include "year/light_sums.h"
 
 namespace year {
 namespace {
+
+const std::string black = "black";
 
 std::string place_of(const std::string& state) { return "state " + (state.empty() ? "-" : state); }
 
@@ -52,6 +55,41 @@ ShadeStates::ShadeStates(std::vector<StateTables> tables) : tables_(std::move(ta
         }
         at_[name] = k;
     }
+    add_up();
+}
+
+// No group has the state black; the first tables have the sums of the most open ones.
+void ShadeStates::add_up() {
+    std::vector<ShadeGroup> lit = groups;
+    for (ShadeGroup& g : lit) {
+        const auto found = std::find(g.states.begin(), g.states.end(), black);
+        if (groups.size() < 2 || found == g.states.end()) return;
+        g.states.erase(found);
+        if (g.states.empty()) return;
+    }
+    std::swap(groups, lit);
+    const std::string open = name_of(Setting(groups.size(), 0));
+    if (adds_up_ = !has(open); !adds_up_) return std::swap(groups, lit);
+    StateTables sums = tables_.front();
+    sums.state = open;
+    for (Grid& grid : sums.tables.grids)
+        for (GridHour& h : grid.hours) h = sum_of_groups(open, grid.name, h.time.minute_of_year());
+    tables_.insert(tables_.begin(), std::move(sums));
+    for (auto& [name, k] : at_) ++k;
+    at_[open] = 0;
+}
+
+GridHour ShadeStates::sum_of_groups(const std::string& state, const std::string& grid, int minute) const {
+    const std::vector<std::string> words = base::split_list(state, '+');
+    const auto at = [&](size_t lit) {  // this group alone, or none
+        std::string name;
+        for (size_t g = 0; g < groups.size(); ++g)
+            name += (g ? "+" : "") + (g == lit ? words[g] : groups[g].name + "/" + black);
+        return &find_hour(tables_of(name).tables.grids, grid, minute, name, "grid");
+    };
+    std::vector<std::pair<double, const GridHour*>> parts{{1 - double(groups.size()), at(groups.size())}};
+    for (size_t g = 0; g < groups.size(); ++g) parts.emplace_back(1, at(g));
+    return sum_of(parts);
 }
 
 std::string ShadeStates::name_of(const Setting& setting) const {
@@ -73,7 +111,8 @@ const Hour& ShadeStates::hour(const std::string& state, const std::string& view,
     return find_hour(tables_of(state).tables.views, view, minute, state, "view");
 }
 
-const GridHour& ShadeStates::hour_of_grid(const std::string& state, const std::string& grid, int minute) const {
+GridHour ShadeStates::hour_of_grid(const std::string& state, const std::string& grid, int minute) const {
+    if (adds_up_ && !has(state)) return sum_of_groups(state, grid, minute);
     return find_hour(tables_of(state).tables.grids, grid, minute, state, "grid");
 }
 

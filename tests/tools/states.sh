@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # States of blinds (ptrace -state): each is the picture of a run of its own, and says its name down to the tables.
 . "${TOP:?}/tests/lib.sh"
-needs ptrace ptaccum vcmetrics mkstream
+needs ptrace ptaccum vcmetrics vcyear mkstream
 printf 'void glow sky 0 0 4 1 1 1 0\nsky source s 0 0 4 0 0 1 180\n' > sky.rad
 printf 'void plastic p 0 0 5 .5 .5 .5 0 0\np ring floor 0 0 8 0 0 0 0 0 1 0 9\n' > room.rad
 printf 'void plastic q 0 0 5 0 0 0 0 0\nq ring roof 0 0 8 0 0 2 0 0 1 0 3\n' > roof.rad
@@ -80,7 +80,7 @@ printf 'black polygon w 0 0 12 -.01 2 1 -.01 3 1 -.01 3 2.5 -.01 2 2.5\n' > w.ra
 printf '1.5 1 .8 0 0 1\n1 2.5 .8 0 0 1\n2 2 .8 0 0 1\n3 3 .8 0 0 1\n' > four.pts
 check 'light of two groups that do not see each other is the sum of both, in 24 hours' '
     head -n 6 y.wea > day.wea
-    for h in $(seq 7 17); do for m in 3 6 9; do echo "$m 21 $h.5 500 120"; done; done | head -n 24 >> day.wea
+    for h in $(seq 7 17); do for m in 3 6 9; do echo "$m 21 $h.5 500 120"; done; done | sed -n 1,24p >> day.wea
     ptrace -w- -points four.pts -wea day.wea -frames 33 -state s/open -state s/shut=s.rad -state w/open \
         -state w/shut=w.rad two.rad 2> said | ptaccum -every x2/8 | vcmetrics -W- -each > rows
     awk -F "\t" "NR > 1 { key = \$1 \" \" \$4; sign = \$2 ~ /open.*open|shut.*shut/ ? 1 : -1; split(\$8, e, /[=\\/]/)
@@ -88,3 +88,10 @@ check 'light of two groups that do not see each other is the sum of both, in 24 
         END { for (k in off) { n++; z = all[k] ? off[k] ^ 2 / all[k] : 0; sum += z; far += z > 16; total += off[k] }
             printf \"%d sensors by hours, z2 %.2f, %d far, %.3f %%\n\", n, sum / n, far, 100 * total / lux
             exit !(n == 96 && sum / n < 2 && far <= 2 && lux > 0) }" rows > sums || { cat sums >&2; false; }'
+check 'vcyear adds up the light of groups whose other ones are black' '
+    sed "s,shut,black,g" rows > whole.tsv; grep -v "s/open+w/open" whole.tsv > parts.tsv; echo "# none" > none.txt
+    sum() { vcyear -w- -shades "schedule none.txt" -honeybee $1 $1.tsv > said; tr "\t " "\n" < $1/four.ill; }
+    sum parts > sums; sum whole | paste - sums |
+        awk "{ n++; a += \$1; b += \$2; d = \$1 - \$2; far += d * d > (.02 * \$1) ^ 2 }
+        END { printf \"%g lx, %g lx, %d of %d far\n\", a, b, far, n
+            exit !(n == 96 && (b / a - 1) ^ 2 < .002 ^ 2 && far <= 2) }" > said || { cat said >&2; false; }'
