@@ -34,7 +34,7 @@ using GridHours = std::map<int, GridHour>;
 
 struct Reading {
     std::vector<std::pair<std::string, Hours>> views;
-    std::vector<std::pair<std::string, GridHours>> grids;
+    std::vector<std::pair<std::string, GridHours>> grids, edi;
     std::map<std::string, Wanted> wanted;  // by view or grid
 };
 
@@ -67,9 +67,26 @@ void add_sensor(const Columns& c, const report::NumberRow& row, const std::strin
     hour.time = time;
     hour.paths = paths_of(c, row);
     add_sensor(c, row, path, hour);
+    if (c.edi) {
+        GridHour& light = called(labels[*c.grid], of.edi)[time.minute_of_year()];
+        if (word == "0") light = {};
+        light.time = time, light.paths = hour.paths;
+        add_edi(c, row, path, light);
+        all.bytes += sizeof(Lux) + sizeof(uncertainty::HalfCodes);
+    }
     all.bytes += bytes_of(hour) - before;
     if (all.bytes > most_bytes)
         base::fail(path, "more than 2 GiB of sensors: 268,435,456 values, 89,478,485 with half-samples");
+}
+
+// The last line with a value counts; the ordinary pictures before those of the action have none.
+void add_edi_of_view(const Columns& c, const report::NumberRow& row, const std::string& path, const weather::Time& time,
+                     GridHours& hours) {
+    GridHour light{time, {}};
+    light.paths = paths_of(c, row);
+    add_edi(c, row, path, light);
+    GridHour& known = hours.try_emplace(time.minute_of_year(), light).first->second;
+    if (!is_missing(light)) known = std::move(light);
 }
 
 void add_table(const std::string& path, States& all, Tables& tables) {
@@ -86,6 +103,7 @@ void add_table(const std::string& path, States& all, Tables& tables) {
         const Hour h = hour_of(*c, row, path);
         const std::string view = c->view ? row.labels[*c->view] : "";
         add_to(of.wanted[view], *c, row, h.time, path);
+        if (c->edi) add_edi_of_view(*c, row, path, h.time, called(view, of.edi));
         Hour& known = called(view, of.views).try_emplace(h.time.minute_of_year(), h).first->second;
         const double least = std::min(known.least_pixels, h.least_pixels);
         if (replaces(h, known)) known = h;
@@ -185,6 +203,7 @@ std::vector<StateTables> read_states(const std::vector<std::string>& paths) {
         Tables& tables = all.emplace_back(StateTables{state, kind}).tables;
         for (const auto& [name, hours] : of.views) tables.views.push_back(view_of(name, hours));
         for (auto& [name, hours] : of.grids) tables.grids.push_back(grid_of(name, hours));
+        for (auto& [name, hours] : of.edi) tables.edi.push_back(grid_of(name, hours));
         for (View& view : tables.views) view.to_come = of.wanted[view.name].missing();
         for (Grid& grid : tables.grids) grid.to_come = of.wanted[grid.name].missing();
         if (!tables.grids.empty() && !tables.views.empty())

@@ -65,9 +65,10 @@ struct Grid {
 struct Tables {
     std::vector<View> views;  // in the order of their first lines
     std::vector<Grid> grids;  // likewise; there are either views or grids
-    bool exact = false;       // no intervals: values are taken as they are
-    bool no_errors = false;   // limits without their standard errors: they count as of 95 %
-    bool no_pixels = false;   // no column pixels: pictures count as 64 x 64
+    std::vector<Grid> edi;   // of the column mEDI, where there is one: of the same grids, or of views as single sensors
+    bool exact = false;      // no intervals: values are taken as they are
+    bool no_errors = false;  // limits without their standard errors: they count as of 95 %
+    bool no_pixels = false;  // no column pixels: pictures count as 64 x 64
 };
 
 // The tables of a state of shades (ptrace -state); "" where the scene has none.

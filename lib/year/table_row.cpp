@@ -35,11 +35,14 @@ std::optional<size_t> column(const std::vector<std::string>& names, const std::s
 // What the row says of the error of a number; without that, what its limits say if they are of 95 %.
 report::NumberError error_of(const Columns& c, const report::NumberRow& row, const std::string& name,
                              const std::string& place) {
+    const bool of_edi = name == "mEDI";
+    const std::optional<size_t>&low = of_edi ? c.edi_low : c.low, &high = of_edi ? c.edi_high : c.high;
     if (c.errors) {
         const report::NumberError unknown{NAN, uncertainty::Uncertain::infinite, {}};
         return report::error_of(name, row.notes[*c.errors], place).value_or(unknown);
     }
-    return {(row.values[*c.high] - row.values[*c.low]) / 2 / normal_quantile, uncertainty::Uncertain::infinite, {}};
+    if (!low || !high) return {0, uncertainty::Uncertain::infinite, {}};
+    return {(row.values[*high] - row.values[*low]) / 2 / normal_quantile, uncertainty::Uncertain::infinite, {}};
 }
 
 // The DGP that an hour has by the lower limit of its illuminance alone; 0 where the correction of low light counts.
@@ -67,6 +70,7 @@ Columns::Columns(const report::NumberTable& t, Of what) {
     value = column(t.names, name), low = column(t.names, end + "lo"), high = column(t.names, end + "hi");
     pixel_error = column(t.names, "DGP.px"), joins = column(t.names, "DGPf.px");
     ev = column(t.names, "Ev"), ev_low = column(t.names, "Ev.lo"), pixels = column(t.names, "pixels");
+    edi = column(t.names, "mEDI"), edi_low = column(t.names, "mEDI.lo"), edi_high = column(t.names, "mEDI.hi");
     if (what == Of::one_sky && !grid) base::fail(t.name, "has no column grid (vcmetrics -each of points)");
     if (!sky && what == Of::hours) base::fail(t.name, "has no column sky with the names of hours (ptrace -wea)");
     if (!value) base::fail(t.name, grid ? "has no column E" : "has no column DGPf or DGP");
@@ -117,15 +121,27 @@ std::string paths_of(const Columns& c, const report::NumberRow& row) {
     return c.paths && row.notes[*c.paths] != "-" ? row.notes[*c.paths] : "";
 }
 
-void add_sensor(const Columns& c, const report::NumberRow& row, const std::string& place, GridHour& hour) {
-    const double e = row.values[*c.value];
-    const report::NumberError error = error_of(c, row, c.name, place);
-    hour.sensors.push_back({float(e), e == 0 && std::isnan(error.error) ? 0 : float(error.error)});
+namespace {
+
+void add_light(double lux, const report::NumberError& error, GridHour& hour) {
+    hour.sensors.push_back({float(lux), lux == 0 && std::isnan(error.error) ? 0 : float(error.error)});
     hour.degrees = error.degrees > 0 ? error.degrees : uncertainty::Uncertain::infinite;
     if (!(error.halves.strata > 0)) return;
     hour.halves.resize(hour.sensors.size());
     hour.halves.back() = error.halves.codes;
     hour.strata = error.halves.strata;
+}
+
+}  // namespace
+
+void add_sensor(const Columns& c, const report::NumberRow& row, const std::string& place, GridHour& hour) {
+    add_light(row.values[*c.value], error_of(c, row, c.name, place), hour);
+}
+
+void add_edi(const Columns& c, const report::NumberRow& row, const std::string& place, GridHour& hour) {
+    const report::NumberError error = error_of(c, row, "mEDI", place);
+    const double lux = row.values[*c.edi];
+    add_light(lux == 0 || error.error >= 0 ? lux : std::nan(""), error, hour);
 }
 
 }  // namespace year

@@ -13,7 +13,7 @@ namespace year {
 struct Columns {
     std::optional<size_t> view, sky, state, frame, grid, point;  // among labels
     std::optional<size_t> errors, paths, hour;                   // among notes
-    std::optional<size_t> value, low, high, pixel_error, joins, ev, ev_low, pixels;
+    std::optional<size_t> value, low, high, pixel_error, joins, ev, ev_low, pixels, edi, edi_low, edi_high;
     std::string name;  // of the value
 
     enum class Of { hours, one_sky };  // one sky: of sensors, whose rows need not say when
@@ -24,6 +24,8 @@ struct Columns {
 weather::Time time_of(const std::string& name, const std::string& place);
 Hour hour_of(const Columns& columns, const report::NumberRow& row, const std::string& place);
 std::string paths_of(const Columns& columns, const report::NumberRow& row);  // empty: the hour's own
+// Of its mEDI; a value without an interval counts as missing.
+void add_edi(const Columns& columns, const report::NumberRow& row, const std::string& place, GridHour& hour);
 void add_sensor(const Columns& columns, const report::NumberRow& row, const std::string& place, GridHour& hour);
 
 }  // namespace year

@@ -14,11 +14,6 @@ namespace {
 
 constexpr Bounded unknown{NAN, NAN, NAN};
 
-std::string count_text(const Bounded& n) {
-    return n.low == n.high ? fmt::format("{:.0f}", n.value)
-                           : fmt::format("{:.0f} ({:.0f} to {:.0f})", n.value, n.low, n.high);
-}
-
 std::string class_text(const Verdict& v) {
     if (v.best == v.worst) return class_name(v.best);
     return fmt::format("undecided: {} to {}", class_name(v.best), class_name(v.worst));
@@ -64,6 +59,11 @@ std::string with_option(const std::string& command, const std::string& option) {
     const size_t first = command.find(' ');
     if (first == std::string::npos || base::ends_with(command, "...")) return command + " " + option;
     return command.substr(0, first + 1) + option + command.substr(first);
+}
+
+std::string count_text(const Bounded& n) {
+    return n.low == n.high ? fmt::format("{:.0f}", n.value)
+                           : fmt::format("{:.0f} ({:.0f} to {:.0f})", n.value, n.low, n.high);
 }
 
 std::string percent_text(const Bounded& s) {

@@ -9,6 +9,7 @@
 
 namespace year {
 
+std::string count_text(const Bounded& n);        // "1203 (1190 to 1216)"
 std::string percent_text(const Bounded& share);  // "62.1 % (60.2 to 64.0)"
 
 // The command with an option more: behind its first word, since options come before scenes; at the end of "ptrace ...".

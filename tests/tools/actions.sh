@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Pictures of an action (ACTION=, ptrace -action) beside the ordinary ones: their files, and what is measured in them.
 . "${TOP:?}/tests/lib.sh"
-needs ptaccum vcmetrics mkstream
+needs ptaccum vcmetrics vcyear mkstream
 # The frames of an ordinary picture again, as those of actions: mEDI is .6 of Ev, illuminance by V 1.2 of it.
 stream() {
     mkstream frames 0 "$1" 16 16 > o; mkstream action mel 9 lx .6 < o > mel; mkstream action V 12 lx 1.2 < o > V
@@ -108,3 +108,24 @@ check 'a rule of sensors waits for its pictures' '
     [ "$(tail -n 1 rows | cut -f 1)" -lt 64 ] && tail -n 1 rows | awk "{ exit !(\$3 > 100) }"'
 check_error 'the ratio is of views' 1 '^vcmetrics: -metrics: floor.mDER.mean: the ratio is of views' '
     vcmetrics -metrics floor.mDER.mean < floor.str'
+
+# A year of four hours, in which mEDI is 86, 172, 344 and 250.05 +- 1.7 lx
+mkstream frames 0 16 16 16 > o16
+for hour in "0121_0930 .05" "0121_1230 .1" "0221_0930 .2" "0221_1230 .1455"; do
+    { cat o16; mkstream action mel 9 lx "${hour#* }" < o16; } | mkstream last 16 |
+        LC_ALL=C sed "s|^FRAME=|SKYNAME=${hour% *}\n&|"
+done > year.str
+ptaccum -every x2/16 < year.str 2> said | columns Ev,DGP,mEDI -last > year.tsv
+check 'vcyear counts the hours of a view with 136 and 250 lx' '
+    vcyear year.tsv 2> said | grep -qx "mEDI      136 lx in 3, 250 lx in 2 (1 to 2) of 4 hours"
+    vcyear -format jsonl year.tsv 2> said | grep -q "\"mEDI_250\": *2,.*\"mEDI_250.lo\": *1,"'
+check 'rows of ordinary pictures, which have no mEDI yet, do not count' '
+    ptaccum -every x2/16 < year.str 2> said | columns Ev,DGP,mEDI > all.tsv
+    vcyear all.tsv 2> said | grep mEDI | diff - <(vcyear year.tsv 2> said | grep mEDI)'
+check 'and the share of the sensors' '
+    grid < year.str | ptaccum -every x2/16 2> said | columns mEDI -each > sensors.tsv
+    vcyear sensors.tsv > five 2> said; grep -q "^DA " five
+    grep -qE "^mEDI      136 lx in .* %.* of the hours, in 50 % of them at .* %.* of the sensors; 250 lx in" five
+    vcyear -format tsv sensors.tsv 2> said | head -n 1 | tr "\t" "\n" | grep -c "^s*mEDI_" | grep -qx 12'
+check 'without the column nothing is said of it' '
+    ptaccum -every x2/16 < year.str 2> said | columns Ev,DGP -last > plain.tsv; ! vcyear plain.tsv 2> said | grep mEDI'

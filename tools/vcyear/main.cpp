@@ -11,6 +11,7 @@
 #include "page.h"
 #include "sensors.h"
 #include "shaded.h"
+#include "year/body_clock.h"
 #include "year/honeybee.h"
 #include "year/months.h"
 #include "year/next.h"
@@ -54,10 +55,14 @@ std::string answer_of_views(const Options& opt, const Counted& c) {
     if (opt.worst > 0) return year::worst_lines(views, size_t(opt.worst), opt.command);
     std::vector<report::Line> lines;
     for (const year::Verdict& v : verdicts) lines.push_back(year::line_of(v)), year::add_shades(lines.back(), c.groups);
+    std::string light;
+    for (size_t k = 0; k < views.size(); ++k)
+        if (const auto clock = year::judge_body_clock(c.tables, views[k].name, opt.goals.autonomy_share, alpha))
+            year::add_view(lines[k], *clock), light += year::line_of_view(*clock);
     if (opt.format) return report::table(lines, *opt.format);
     size_t to_come = 0;
     for (const year::View& v : views) to_come += v.to_come;
-    return year::summary(views, verdicts, opt.command) + c.shade_lines() +
+    return year::summary(views, verdicts, opt.command) + light + c.shade_lines() +
            year::rest_line(to_come, opt.command, opt.tables);
 }
 

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "base/error.h"
+#include "year/body_clock.h"
 #include "year/daylight_factor.h"
 #include "year/en17037_text.h"
 #include "year/grid_maps.h"
@@ -127,6 +128,9 @@ std::string answer_of_sensors(const Options& o, const Counted& c) {
             o.each ? additions.add(g, k, lines.back()) : additions.add(g, lines.back());
         }
         text += year::summary(years[g], o.goals) + additions.lines(g);
+        const auto clock = year::judge_body_clock(c.tables, grids[g].name, o.goals.autonomy_share, 1 - o.percent / 100);
+        if (clock) text += year::line_of_sensors(*clock);
+        if (clock && !o.each) year::add_sensors(lines.back(), *clock);
         if (!o.each) year::add_shades(lines.back(), c.groups);
     }
     text += c.shade_lines();

@@ -81,6 +81,7 @@ Counted read_counted(const Options& o) {
     c.shades = year::control(counted, sources, rules_of(o));
     c.groups = year::group_years(*c.shades);
     c.tables = counted.open();
+    c.tables.edi.clear();  // of one state alone
     c.tables.views = year::with_shades(std::move(c.tables.views), counted, *c.shades);
     c.tables.grids = year::with_shades(std::move(c.tables.grids), counted, *c.shades);
     if (direct) c.direct = direct->open().grids;
