@@ -13,6 +13,9 @@ SETUP  ?= yes
 # Not where FLAGS=-DLUXPIPE_ISPC=... says which, and never for a package: it takes an ispc that is there.
 ISPC    = $(if $(and $(LANES),$(findstring ptrace,$(PARTS)),$(if $(findstring LUXPIPE_ISPC,$(FLAGS)),,y)),\
     sh scripts/ispc.sh .ispc,:)
+# ARCH=arm64 (a wheel: aarch64): for ARM, on another processor, all by gcc (cmake/arm64.cmake), without ispc.
+ARM     = $(filter arm64 aarch64,$(ARCH))
+FETCH   = $(if $(ARM),sh scripts/arm64.sh build-arm64/root,$(ISPC))
 # Lanes that are built (lib/device): those of this machine, or both in what goes elsewhere and in the tests.
 OWN     = $(if $(shell grep -sw avx512dq /proc/cpuinfo),16,8)
 LANES   = $(OWN)
@@ -65,10 +68,18 @@ fuzz: setup ## every fuzz target for SECONDS=60 each (clang); finds in out/fuzz
 	@cmake --build build-fuzz -j $(JOBS) --target fuzz
 	@bash tests/fuzz/run.sh build-fuzz/bin out/fuzz $(or $(SECONDS),60)
 
-deb: PARTS += deb
+deb: PARTS += $(strip deb $(ARM))
 deb: ISPC = :
-deb: setup ## a Debian package in out/deb, the same bytes for the same sources; fetches no ispc
-	@JOBS=$(JOBS) FLAGS="$(KERNELS) $(FLAGS)" bash scripts/deb.sh out/deb
+deb: setup ## a Debian package in out/deb, the same bytes for the same sources; no ispc (ARCH=arm64: for ARM)
+	@JOBS=$(JOBS) FLAGS="$(if $(ARM),,$(KERNELS)) $(FLAGS)" ARCH=$(ARM) \
+	    bash scripts/deb.sh out/deb$(addprefix /,$(ARM))
+
+test-arm64: PARTS += tests arm64
+test-arm64: ARCH = arm64
+test-arm64: setup ## the programs for ARM, built here; their bits and words under qemu (half an hour of a core)
+	@cmake -S . -B build-arm64 -G Ninja --log-level=WARNING -DCMAKE_TOOLCHAIN_FILE=cmake/arm64.cmake $(UNITY) $(FLAGS)
+	@cmake --build build-arm64 -j $(JOBS) --target tools $$(sh scripts/test_arm64.sh targets)
+	@bash scripts/test_arm64.sh build-arm64
 
 test-deb: PARTS += chroot
 test-deb: deb ## packages for Debian 12 and 13, each put into an empty one (debootstrap, as root), the demo run there
@@ -76,9 +87,10 @@ test-deb: deb ## packages for Debian 12 and 13, each put into an empty one (debo
 	@JOBS=$(JOBS) FLAGS="$(FLAGS)" bash scripts/deb_for.sh trixie out/deb
 	@bash scripts/try_deb.sh out/deb/for-trixie/luxpipe_*.deb trixie
 
-wheel: PARTS += wheel
-wheel: setup ## a Python wheel in out/wheel: the programs and `import luxpipe`; tools for it come from the package index
-	@JOBS=$(JOBS) FLAGS="$(KERNELS) $(FLAGS)" bash scripts/wheel.sh out/wheel
+wheel: PARTS += $(strip wheel $(ARM:aarch64=arm64))
+wheel: setup ## a Python wheel in out/wheel: the programs and `import luxpipe`; tools come from the package index
+	@JOBS=$(JOBS) FLAGS="$(if $(ARM),,$(KERNELS)) $(FLAGS)" ARCH=$(ARM) \
+	    bash scripts/wheel.sh out/wheel$(addprefix /,$(ARM))
 
 test-wheel: PARTS += chroot
 test-wheel: wheel ## the wheel built again: same bytes; then put into empty Debians 12 and 13 (debootstrap, as root)
@@ -139,12 +151,12 @@ uninstall: ## remove what the last `make install` of this build put there
 	@xargs -r -d '\n' rm -fv < "$(BUILD)/install_manifest.txt" && rm -f "$(BUILD)/install_manifest.txt"
 
 clean: ## remove build/ and out/
-	@rm -rf "$(BUILD)" build-asan build-tsan build-fuzz out
+	@rm -rf "$(BUILD)" build-asan build-tsan build-fuzz build-arm64 out
 
 setup:
 	@[ "$(SETUP)" = no ] || sh scripts/setup.sh $(PARTS)
-	@[ "$(SETUP)" = no ] || $(ISPC)
+	@[ "$(SETUP)" = no ] || $(FETCH)
 
-.PHONY: help all everything demo live test test-gpu test-slurm test-deb test-sanitize fuzz deb wheel test-wheel \
-	certificate year opencl-stacks bench coverage coverage-sensors compare-radiance compare-evalglare \
+.PHONY: help all everything demo live test test-gpu test-slurm test-deb test-arm64 test-sanitize fuzz deb wheel \
+	test-wheel certificate year opencl-stacks bench coverage coverage-sensors compare-radiance compare-evalglare \
 	man site format lint install uninstall clean setup

@@ -32,7 +32,8 @@ check 'so do the goals that build tests' 'for goal in test-gpu test-sanitize com
     parts $goal | grep -qx "tools ptrace tests"; done'
 check 'make fuzz, make deb and make wheel need more' '
     parts wheel | grep -qx "tools ptrace wheel"; setup wheel; grep -q " python3-venv" asked; ! grep -q numpy asked
-    parts fuzz | grep -qx "tools ptrace tests fuzz"; parts deb | grep -qx "tools ptrace deb"'
+    parts fuzz | grep -qx "tools ptrace tests fuzz"; parts deb | grep -qx "tools ptrace deb"
+    parts deb ARCH=arm64 | grep -qx "tools ptrace deb arm64"; parts test-arm64 | grep -qx "tools ptrace tests arm64"'
 if [ "$(uname -m)" = x86_64 ] && ! command -v ispc > /dev/null; then
     check 'where no ispc can be had the build goes on without it, and says so' '
         sh "$TOP/scripts/ispc.sh" none 2> said; grep -q "built without lanes" said; test ! -e none/ispc'
