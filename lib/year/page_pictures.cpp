@@ -55,7 +55,7 @@ namespace {
 // North, and how long some metres are, over a plan of so many pixels a metre; north: the y axis in the picture.
 std::string scale_of_plan(const image::Picture& p, double metre, std::pair<double, double> north, double size) {
     const auto [x, y] = north;
-    const double length = std::hypot(x, y), right = p.width - 1.2 * size, top = 1.4 * size;
+    const double length = base::hypot(x, y), right = p.width - 1.2 * size, top = 1.4 * size;
     double metres = 1;
     for (const double m : {1., 2., 5., 10., 20., 50.})
         if (m * metre < p.width / 3.) metres = m;
