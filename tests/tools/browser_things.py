@@ -21,6 +21,8 @@ def choose(name, n=0):
 
 
 check('a picture comes', page.until('document.body.dataset.picture > 0 && document.body.dataset.lines > 3', SECONDS))
+files = page.js('[...document.querySelectorAll("#model-file option")].map((o) => o.text)')
+check('files of the library are none to edit', files == ['materials.rad', 'open.rad', 'sky_day.rad'], files)
 point(.8, .3)
 check('a wall is a material of its own', soon(lambda: 'wall_paint' in here() and options()[0] == 'of its own'), here())
 check('and may be any paint of the library', {'paint white', 'wall 50', 'brick red'} <= set(options()), options())

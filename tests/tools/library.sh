@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # The library of materials: each is what the comment above it says, by its numbers and in a picture; it is found beside
-# the programs, and the page does not edit it.
+# the programs.
 . "${TOP:?}/tests/lib.sh"
 needs ptrace ptaccum vcmetrics
 library=$(ptrace -library)
