@@ -46,6 +46,9 @@ constexpr MetricName of_metrics[] = {
     {"Lb", "Luminance of the background", "cd/m²"},
     {"RAMMG", "Contrast of neighbouring pixels, over all sizes of detail", "cd/m²"},
     {"n_sources", "Glare sources", ""},
+    {"mEDI", "Melanopic equivalent daylight illuminance at the eye", "lx"},
+    {"mDER", "Melanopic daylight efficacy ratio", ""},
+    {"EvV", "Illuminance at the eye, by V", "lx"},
 };
 constexpr MetricName of_regions[] = {
     {"TAL", "Mean luminance of ", "cd/m²"},
@@ -106,6 +109,15 @@ std::string verdict(const Page& page) {
     if (known) out += fmt::format(" ({:g} % interval: {})", 100 * page.certainty, interval_text(*dgp));
     out += ". " + said.people;
     return out + "</p>\n" + dgp_bar(*dgp) + "</div>\n";
+}
+
+std::string body_clock(const Page& page) {
+    const auto edi = std::find_if(page.numbers.begin(), page.numbers.end(),
+                                  [](const Page::Number& n) { return n.name == "mEDI" && std::isfinite(n.value); });
+    if (edi == page.numbers.end()) return "";
+    const std::string interval = interval_text(*edi);
+    return fmt::format("<p class=\"clock\">Daylight for the body clock: {} lx of melanopic EDI{}.</p>\n",
+                       value_text(*edi), interval.empty() ? "" : " (" + interval + ")");
 }
 
 // "26 November 2026", of CAPDATE= 2026:11:26 04:01:25.
@@ -239,7 +251,7 @@ std::string page_text(const Page& page) {
         "<title>Glare: {0}</title>\n<style>{1}</style>\n</head>\n<body>\n<section>\n"
         "<h1>Glare report</h1>\n<p class=\"title\">{0}{2}</p>\n",
         escaped(page.title), page_style, date_of(page));
-    out += about_list(page) + verdict(page);
+    out += about_list(page) + verdict(page) + body_clock(page);
     for (const std::string& note : page.notes) out += "<p class=\"note\">" + escaped(note) + "</p>\n";
     out += criteria_table(page) + "<div class=\"drawings\">\n";
     for (const Page::Drawing& d : page.drawings) out += drawing(page, d);

@@ -104,6 +104,8 @@ void add_table(const std::string& path, States& all, Tables& tables) {
         const std::string view = c->view ? row.labels[*c->view] : "";
         add_to(of.wanted[view], *c, row, h.time, path);
         if (c->edi) add_edi_of_view(*c, row, path, h.time, called(view, of.edi));
+        // Of a year the pictures of an action come behind all ordinary ones, in rows of their own.
+        if (c->edi && h.is_missing && !std::isnan(row.values[*c->edi])) return;
         Hour& known = called(view, of.views).try_emplace(h.time.minute_of_year(), h).first->second;
         const double least = std::min(known.least_pixels, h.least_pixels);
         if (replaces(h, known)) known = h;

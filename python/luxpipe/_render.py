@@ -54,6 +54,12 @@ def _measure_options(metrics: str | Sequence[str], ci: float, regions: PathLike 
     return options + (["-regions", os.fspath(regions)] if regions is not None else [])
 
 
+def _illuminance(action: str) -> str:
+    """The column of an action's picture, of which each has a line."""
+    alpha_opic = {"mel": "mEDI", "rh": "rhEDI", "sc": "scEDI", "mc": "mcEDI", "lc": "lcEDI", "V": "EvV"}
+    return alpha_opic.get(action, "E_" + Path(action).stem)
+
+
 class _Pipeline:
     """ptrace | ptaccum | this process | vcmetrics, out of reach of the terminal's Ctrl-C, which Python gets alone."""
 
@@ -123,8 +129,8 @@ class _Pipeline:
 def frames(scene: PathLike | Sequence[PathLike], view: PathLike | Sequence[str], until: str | None = None, *,
            size: int | tuple[int, int] = 512, metrics: str | Sequence[str] = "Ev,DGP,DGPf", ci: float = 95,
            regions: PathLike | None = None, every: str = "x2/16", max_frames: int | None = None,
-           max_seconds: float | None = None, seed: int = 1, options: Sequence[str] = (),
-           measure_options: Sequence[str] = ()) -> Iterator[Result]:
+           max_seconds: float | None = None, seed: int = 1, actions: Sequence[str] = (),
+           options: Sequence[str] = (), measure_options: Sequence[str] = ()) -> Iterator[Result]:
     """Render a scene and yield a `Result` for each picture of the growing sum; arguments as of `render`.
 
     Ends when the rule of `until` holds, at `max_frames` or `max_seconds`, or when the loop is left; without any of
@@ -138,17 +144,26 @@ def frames(scene: PathLike | Sequence[PathLike], view: PathLike | Sequence[str],
     """
     width, height = width_and_height(size)
     trace = [*view_options(view), "-x", str(width), "-y", str(height), "-seed", str(seed)]
-    measure = [*_measure_options(metrics, ci, regions), *measure_options]
+    if actions and max_frames is None:
+        raise ValueError("actions need max_frames: their pictures come after all frames of the ordinary one")
+    for action in actions:
+        trace += ["-action", action]
+    names = metrics.split(",") if isinstance(metrics, str) else list(metrics)
+    names += [name for name in map(_illuminance, actions) if name not in names]
+    measure = [*_measure_options(names, ci, regions), *measure_options]
     for option, value in (("-until", until), ("-max-frames", max_frames), ("-max-seconds", max_seconds)):
-        if value is not None:
+        if value is not None and not (actions and option == "-max-frames"):
             measure += [option, str(value)]
     if max_frames is not None:
         trace += ["-frames", str(max_frames)]
     pipeline = _Pipeline([*trace, *options, *_files(scene)], ["-every", every], measure)
     try:
         result = None
+        ordinary = None
         for picture, line in pipeline.steps():
-            result = Result(json.loads(line), picture)
+            if ordinary is None or b"\nACTION=" not in picture[:picture.find(b"\n\n")]:
+                ordinary = picture
+            result = Result(json.loads(line), ordinary)
             yield result
         status, reason = pipeline.finish()
         if result is None:
@@ -162,8 +177,8 @@ def frames(scene: PathLike | Sequence[PathLike], view: PathLike | Sequence[str],
 def render(scene: PathLike | Sequence[PathLike], view: PathLike | Sequence[str], until: str | None = "DGPf 0.01", *,
            size: int | tuple[int, int] = 512, metrics: str | Sequence[str] = "Ev,DGP,DGPf", ci: float = 95,
            regions: PathLike | None = None, every: str = "x2/16", max_frames: int | None = 1000,
-           max_seconds: float | None = None, seed: int = 1, options: Sequence[str] = (),
-           measure_options: Sequence[str] = ()) -> Result:
+           max_seconds: float | None = None, seed: int = 1, actions: Sequence[str] = (),
+           options: Sequence[str] = (), measure_options: Sequence[str] = ()) -> Result:
     """Render a scene until its numbers are certain enough, and return the last `Result`.
 
     Ctrl-C ends the run and returns what there is (converged is False then); before the first picture it is raised.
@@ -181,6 +196,8 @@ def render(scene: PathLike | Sequence[PathLike], view: PathLike | Sequence[str],
         max_frames: number of frames, frame 0 among them, at which to stop in any case; None for no limit
         max_seconds: time after which to stop in any case
         seed: of the random numbers; the same seed gives the same pixels
+        actions: pictures by other weights than luminance, ["mel", "V"] (ptrace -action), each of max_frames frames
+            behind the ordinary one; result["mEDI"], and with metrics "Ev,mEDI,mDER" the melanopic ratio
         options: further options of ptrace, as ["-ab", "7"]
         measure_options: further options of vcmetrics, as ["-task", "desk"]
     """
@@ -188,8 +205,8 @@ def render(scene: PathLike | Sequence[PathLike], view: PathLike | Sequence[str],
     if until is None and max_frames is None and max_seconds is None:
         raise ValueError("one of until, max_frames and max_seconds is needed: nothing else would end the run")
     steps = frames(scene, view, until, size=size, metrics=metrics, ci=ci, regions=regions, every=every,
-                   max_frames=max_frames, max_seconds=max_seconds, seed=seed, options=options,
-                   measure_options=measure_options)
+                   max_frames=max_frames, max_seconds=max_seconds, seed=seed, actions=actions,
+                   options=options, measure_options=measure_options)
     with _progress() as bar:
         try:
             for result in steps:

@@ -94,6 +94,21 @@ def test_a_notebook_shows_the_picture_and_no_folder_of_this_machine(office):
     assert pil.open(io.BytesIO(png)).convert("RGB").size[1] >= 64
 
 
+def test_actions_stand_beside_the_ordinary_numbers(tmp_path):
+    scene = tmp_path / "grey.rad"
+    scene.write_text("void glow g 0 0 4 1 1 1 0\ng source sky 0 0 4 0 0 1 180\n"
+                     "void plastic p 0 0 5 .5 .5 .5 0 0\np ring floor 0 0 8 0 0 0 0 0 1 0 9\n")
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # the glow has no spectrum: D65
+        grey = luxpipe.render(scene, FISHEYE.replace("-vp 0 0 0", "-vp 0 0 1"), None, size=16, max_frames=18,
+                              metrics="Ev,mEDI,mDER", actions=["mel", "V"])
+    assert math.isclose(grey["mEDI"].value, grey["Ev"].value, rel_tol=1e-3)
+    assert abs(grey["mDER"].value - 1) < 1e-4 and grey["mDER"].hi - grey["mDER"].lo < 1e-4
+    assert math.isclose(grey["EvV"].value, grey["Ev"].value, rel_tol=1e-3)
+    with pytest.raises(ValueError):
+        luxpipe.render(scene, FISHEYE, "Ev 1%", size=16, max_frames=None, actions=["mel"])
+
+
 def test_table(office):
     table = pytest.importorskip("pandas") and office.metrics
     assert list(table.columns) == ["value", "lo", "hi"] and table.loc["DGP", "lo"] == office["DGP"].lo

@@ -50,12 +50,16 @@ check 'files one after another count, too' '
     ! grep -v "illuminance by V" said
     [ "$(cut -f 1 rows | tr "\n" " ")" = "file f.exr f_mel.exr f_V.exr " ]
     tail -n 1 rows | awk "{ exit (\$8 - .5)^2 > 1e-8 }"
-    columns mEDI f.exr f_mel.exr f.exr f_mel.exr | cut -f 1 | tr "\n" " " | grep -qx "file f_mel.exr f_mel.exr "'
+    columns mEDI f.exr f_mel.exr f.exr f_mel.exr | cut -f 1 | tr "\n" " " > rows
+    grep -qx "file f.exr f_mel.exr f.exr f_mel.exr " rows'
 check 'by itself such a picture is called by its name' '
     [ "$(vcmetrics f_mel.exr | tr "\t\n" "::" | sed "s/\([.]..\)[0-9]*:$/\1:/")" = "file:mEDI:f_mel.exr:1033.62:" ]'
 check 'that of V has luminances, and glare' '
     vcmetrics -metrics Ev,DGP f_V.exr | tail -n 1 | awk "{ exit !(\$2 > 2066 && \$2 < 2068 && \$3 > .2) }"
     vcmetrics -sources f_V.exr | grep -q .; vcmetrics -report f.html f_V.exr > x; grep -q "<html" f.html'
+check 'a report says it in a sentence' '
+    ptaccum -every x2/16 < long.str 2> said | vcmetrics -W- -metrics Ev,DGP,mEDI -ci 95 -report f.html > x
+    sed "s/<[^>]*>//g" f.html | grep -qx "Daylight for the body clock: 1034 lx of melanopic EDI (1027 to 1041)."'
 for how in '-metrics Ev' '-metrics DGP' -sources '-like evalglare' '-report x.html' '-over x.png'; do
     check_error "not Ev, nor glare: $how" 1 '^vcmetrics: f_mel.exr: is of action mel, in which only mEDI is measured' "
         vcmetrics $how f_mel.exr"

@@ -32,6 +32,8 @@ Group another(const Group& before, const RunPlan& plan) {
     out.number = before.number + 1;
     out.told_missing = before.told_missing, out.told_other_ev = before.told_other_ev;
     out.actions.resize(plan.actions.kinds.size());
+    out.seen_ever = before.seen_ever;
+    out.seen_ever.resize(plan.actions.kinds.size());
     for (size_t k = 0; k < std::min(before.actions.size(), out.actions.size()); ++k)
         out.actions[k].reading = before.actions[k].reading;
     return out;
@@ -161,8 +163,9 @@ Group with_picture(const RunPlan& plan, Group g, const image::Header& h, const P
     const std::optional<size_t> kind = plan.actions.kind_of(h);
     const std::string label = image::label(without_action(h));
     const bool other = label != g.label || h.edit != g.edit || g.actions.size() != plan.actions.kinds.size();
-    if (other || comes_again(g, h, kind, place)) g = another(end_group(plan, std::move(g)), plan);
-    g.label = label, g.edit = h.edit;
+    if (other || comes_again(g, h, kind, place)) g = another(end_group(plan, std::move(g), false), plan);
+    g.label = label, g.edit = h.edit, g.of_hour = h.hour.has_value();
+    if (kind) g.seen_ever[*kind] = true;
     if (!h.action) g.file = place.file;
     if (h.action && !kind && g.file != place.file) require_pictures_of("", h, place.text);
     return g;
@@ -172,13 +175,13 @@ bool is_passed_over(const RunPlan& plan, const Group& g, const image::Header& h,
     return h.action && !plan.actions.kind_of(h) && g.file == place.file;
 }
 
-Group end_group(const RunPlan& plan, Group g) {
+Group end_group(const RunPlan& plan, Group g, bool ends) {
     for (ActionPart& a : g.actions)
         if (a.seen) a.sum = end_input(std::move(a.sum), a.place, plan.needs_looks && plan.reports);
     if (!(g.ordinary || has_actions(g)) || g.told_missing) return g;
     for (const ActionPlan::Cell& cell : plan.actions.cells)
         for (const size_t k : kinds_of(plan.actions, cell)) {
-            if (g.actions[k].seen || g.told_missing) continue;
+            if (g.actions[k].seen || g.told_missing || (g.of_hour && (!ends || g.seen_ever[k]))) continue;
             const std::string renders = command_for(plan.actions.kinds[k].name);
             g.told_missing = true;
             base::warn(g.label.empty() ? place_of(g.file.empty() ? "-" : g.file, 0).text : g.label,

@@ -11,8 +11,8 @@
 Group with_picture(const RunPlan& plan, Group group, const image::Header& header, const PicturePlace& place);
 // Is nothing measured in it?  A picture of V by itself, whose numbers are luminances, is measured as an ordinary one.
 bool is_passed_over(const RunPlan& plan, const Group& group, const image::Header& header, const PicturePlace& place);
-// After the last picture of a group: what its columns lack.
-Group end_group(const RunPlan& plan, Group group);
+// After the last picture of a group, and of the run: what its columns lack.
+Group end_group(const RunPlan& plan, Group group, bool ends);
 
 // With an ordinary picture's row, which gets the cells of actions.
 Row with_actions(const Options& options, const RunState& run, const image::Header& header, Row row);

@@ -191,7 +191,7 @@ int measure_all(const Options& asked) {
         }
         run.sum = end_input(std::move(run.sum), place_of(file, 0).text, run.plan.needs_looks && run.plan.reports);
     }
-    run.group = end_group(run.plan, std::move(run.group));
+    run.group = end_group(run.plan, std::move(run.group), true);
     say_end(o, grids.kinds.empty() ? run.progress : grids.progress);
     if (!grids.kinds.empty()) return end_of(o, grids);
     if (!planned) plan_run(o);                                             // says what is wrong

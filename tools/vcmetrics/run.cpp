@@ -46,12 +46,6 @@ Row ordinary_row(const Options& o, const RunState& run, const image::Header& hea
     return out;
 }
 
-// All of its columns are of actions.
-bool is_silent(const RunPlan& plan) {
-    const std::vector<Column> columns = ordinary_columns(plan);
-    return !plan.actions.empty() && std::none_of(columns.begin(), columns.end(), [](auto& c) { return c.printed; });
-}
-
 }  // namespace
 
 Row row_of(const RunState& run, const image::Header& header, const PicturePlace& place) {
@@ -123,7 +117,6 @@ std::pair<RunState, std::optional<Row>> step(const Options& o, RunState run, ima
     }
     run.group.ordinary = ordinary_row(o, run, p.header, place, std::move(m));
     run.group.estimates = run.sum.look.estimates, run.group.moments = bool(run.reading.lum.moments);
-    if (is_silent(plan)) return {std::move(run), std::nullopt};
     Row row = with_actions(o, run, p.header, *run.group.ordinary);
     if (o.mode == OutputMode::evalglare || o.list_sources) return {std::move(run), std::move(row)};
     const Luminance& lum = run.reading.lum;

@@ -61,11 +61,13 @@ struct Group {
     int number = 0;
     std::string label, file;  // file: of the ordinary picture; empty: there is none
     std::optional<int64_t> edit;
-    std::optional<Row> ordinary;                       // its last row
-    std::vector<uncertainty::Estimate> estimates;      // of ordinary columns
-    bool moments = false;                              // it has them
-    std::vector<uncertainty::Estimate> ratios;         // of the plan's cells, at the last look
-    std::vector<ActionPart> actions;                   // of the plan's kinds
+    bool of_hour = false;                          // a year's actions come when all of its ordinary pictures have come
+    std::vector<bool> seen_ever;                   // kinds, in this run
+    std::optional<Row> ordinary;                   // its last row
+    std::vector<uncertainty::Estimate> estimates;  // of ordinary columns
+    bool moments = false;                          // it has them
+    std::vector<uncertainty::Estimate> ratios;     // of the plan's cells, at the last look
+    std::vector<ActionPart> actions;               // of the plan's kinds
     bool told_missing = false, told_other_ev = false;  // in this run
 };
 

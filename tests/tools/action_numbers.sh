@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# ptrace -action to vcmetrics and vcyear: what numbers a scene has that can be told beforehand.
+. "${TOP:?}/tests/lib.sh"
+needs ptrace ptaccum vcmetrics vcyear
+printf 'void glow g 0 0 4 1 1 1 0\ng source sky 0 0 4 0 0 1 180\n' > sky.rad
+printf 'void plastic p 0 0 5 .5 .5 .5 0 0\np ring floor 0 0 8 0 0 0 0 0 1 0 9\n' > grey.rad
+printf 'void plastic r 0 0 5 .6 .2 .1 0 0\nr polygon wall 0 0 12 -3 3 0 3 3 0 3 3 3 -3 3 3\n' > red.rad
+printf '0 0 1 0 0 1\n0 0 1 0 1 0\n' > desk.pts
+size='-x 32 -y 32 -frames 33'
+view="-vta -vp 0 0 1 -vd 0 1 0 -vu 0 0 1 -vv 180 -vh 180 $size"
+measured() { ptaccum -every x2/16 | vcmetrics -last -ci 95 "$@"; }
+within() { awk -v column="$1" -v low="$2" -v high="$3" -F "\t" "
+    NR == 1 { for (i = 1; i <= NF; ++i) at[\$i] = i }
+    NR > 1 { ++n; v = \$at[column]; if (!(v >= low && v <= high)) { print column, v; bad = 1 } } END { exit !n || bad }"
+}
+
+check 'grey under D65: melanopic EDI is the illuminance, and DER is 1' '
+    ptrace -w- $view -action mel -action V sky.rad grey.rad | measured -metrics Ev,mEDI,mDER,EvV > rows 2> said
+    within mDER .9999 1.0001 < rows; within mDER.lo .9999 1 < rows; ! grep "by V" said
+    awk "NR == 2 && ((\$6/\$3 - 1)^2 > 1e-6 || (\$12/\$3 - 1)^2 > 1e-6) { print; exit 1 }" rows'
+check 'under A it is .4957, with a grey floor too' '
+    ptrace -w- $view -action mel -action V -daylight A sky.rad grey.rad | measured -metrics mDER > rows
+    within mDER .4935 .4979 < rows'
+check 'a red wall takes melanopic light; the ratio is surer than its parts' '
+    ptrace -w- $view -action mel -action V sky.rad grey.rad red.rad | measured -metrics mEDI,mDER > rows
+    within mDER .9 .95 < rows
+    awk "NR == 2 { exit !((\$8 - \$7)/\$6 < .5*(\$5 - \$4)/\$3) }" rows'
+check 'sensors have it too' '
+    ptrace -w- -points desk.pts -frames 17 -action mel sky.rad grey.rad | ptaccum -every x2/16 |
+        vcmetrics -last -ci 95 -metrics mean,mEDI.mean > rows
+    awk "NR == 2 { exit (\$6/\$3 - 1)^2 > 1e-6 }" rows'
+check 'and hours of a year' '
+    printf "place Here\nlatitude 39.74\nlongitude 105.18\ntime_zone 105\nsite_elevation 1829\n" > y.wea
+    printf "weather_data_file_units 1\n6 21 5.5 0 0\n6 21 12.5 700 90\n12 21 12.5 0 10\n" >> y.wea
+    small="-vta -vp 0 0 1 -vd 0 1 0 -vu 0 0 1 -vv 180 -vh 180 -x 16 -y 16 -wea y.wea -frames 9"
+    ptrace -w- $small -action mel grey.rad 2> said | ptaccum -every x2/8 |
+        vcmetrics -metrics Ev,DGP,mEDI -ci 95 -last > hours.tsv 2> said; ! grep "there is none" said
+    ptrace -w- $small grey.rad 2> said | ptaccum -every x2/8 | vcmetrics -metrics Ev,DGP -ci 95 -last > plain.tsv
+    vcyear hours.tsv 2> said > five; grep -v mEDI five | diff - <(vcyear plain.tsv 2> said)
+    grep -q "^mEDI      136 lx in 2, 250 lx in 2 of 3 hours" five'
