@@ -23,6 +23,20 @@ std::string hash_of_colours(const flatten::BandColours& c) {
 // Frames of all pixels that are kept until the last part has them, in floats.
 constexpr size_t most_kept = size_t(1) << 28;
 
+// The grey frames of hours, hour by hour.
+std::vector<std::vector<float>> action_hours(device::Device& device, const ActionHours& action,
+                                             const std::vector<HourSky>& hours, HoursWanted wanted) {
+    wanted.moments = false;
+    const size_t frames = size_t(wanted.last - wanted.first + 1);
+    std::vector<std::vector<float>> sums(hours.size() * frames);
+    for (size_t p = 0; p < action.plans.size(); p++)
+        render_hours(device, action.plans[p], hours, wanted, [&](size_t hour, int64_t k, const auto& rgb, const auto&) {
+            add_part(action.parts[p], rgb, sums[hour * frames + size_t(k - wanted.first)]);
+            return true;
+        });
+    return sums;
+}
+
 }  // namespace
 
 std::vector<ActionPart> parts_of(const spectrum::Action& action, int bands, const flatten::LightSpectra& lights) {
@@ -98,26 +112,24 @@ void render_action(device::Device& device, const std::vector<ActionPart>& parts,
     }
 }
 
-void render_action_hours(device::Device& device, const std::vector<ActionPart>& parts,
-                         const std::vector<ViewPlan>& plans, const std::vector<HourSky>& hours, HoursWanted wanted,
-                         const GiveHourFrame& give) {
-    wanted.moments = false;
-    const size_t frames = size_t(wanted.last - wanted.first + 1), pixels = size_t(plans[0].nx) * size_t(plans[0].ny);
-    const size_t at_once = std::max<size_t>(1, most_kept / std::max<size_t>(pixels * frames, 1));
+void render_hours(device::Device& device, const ViewPlan& plan, const std::vector<HourSky>& hours,
+                  const HoursWanted& wanted, const std::vector<ActionHours>& actions, const GiveAnyFrame& give) {
+    const size_t frames = size_t(wanted.last - wanted.first + 1), pixels = size_t(plan.nx) * size_t(plan.ny);
+    const size_t at_once = std::max<size_t>(1, most_kept / std::max<size_t>(1, pixels * frames * actions.size()));
     bool goes_on = true;
     for (size_t done = 0; done < hours.size() && goes_on; done += at_once) {
         const std::vector<HourSky> some(hours.begin() + long(done),
                                         hours.begin() + long(std::min(done + at_once, hours.size())));
-        std::vector<std::vector<float>> sums(some.size() * frames);
-        for (size_t p = 0; p < plans.size() && goes_on; p++)
-            render_hours(device, plans[p], some, wanted, [&](size_t hour, int64_t k, const auto& rgb, const auto&) {
-                std::vector<float>& sum = sums[hour * frames + size_t(k - wanted.first)];
-                add_part(parts[p], rgb, sum);
-                if (p + 1 < plans.size()) return true;
-                goes_on = give(done + hour, k, as_rgb(sum), {});
-                std::vector<float>().swap(sum);
-                return goes_on;
-            });
+        std::vector<std::vector<std::vector<float>>> kept;
+        for (const ActionHours& action : actions) kept.push_back(action_hours(device, action, some, wanted));
+        render_hours(device, plan, some, wanted, [&](size_t hour, int64_t k, const auto& rgb, const auto& moments) {
+            goes_on = give(nullptr, done + hour, k, rgb, moments);
+            for (size_t a = 0; k == wanted.last && a < actions.size(); a++)
+                for (size_t f = 0; f < frames && goes_on; f++)
+                    goes_on = give(&actions[a], done + hour, wanted.first + int64_t(f),
+                                   as_rgb(kept[a][hour * frames + f]), {});
+            return goes_on;
+        });
     }
 }
 

@@ -38,10 +38,18 @@ using GiveSum = std::function<bool(int64_t k, const std::vector<float>& rgb)>;
 void render_action(device::Device& device, const std::vector<ActionPart>& parts, const std::vector<ViewPlan>& plans,
                    int64_t first, int64_t count, const GiveSum& give);
 
-// The same of hours (hours.h), one after another; parts: by daylight.
-void render_action_hours(device::Device& device, const std::vector<ActionPart>& parts,
-                         const std::vector<ViewPlan>& plans, const std::vector<HourSky>& hours, HoursWanted wanted,
-                         const GiveHourFrame& give);
+// The renderings of an action in hours that share their paths (hours.h).
+struct ActionHours {
+    image::Action label;
+    std::vector<ActionPart> parts;  // by daylight
+    std::vector<ViewPlan> plans;
+};
+// Frame k of an hour, of an action or, null, the ordinary one.  Returns false to end.
+using GiveAnyFrame = std::function<bool(const ActionHours* action, size_t hour, int64_t k,
+                                        const std::vector<float>& rgb, const image::Moments& moments)>;
+// Hour by hour the ordinary frames of a plan, then those of each action.
+void render_hours(device::Device& device, const ViewPlan& plan, const std::vector<HourSky>& hours,
+                  const HoursWanted& wanted, const std::vector<ActionHours>& actions, const GiveAnyFrame& give);
 
 // Of a sum: that of the first plan, with the scenes of all.
 std::string action_fingerprint(const std::vector<ViewPlan>& plans);

@@ -169,6 +169,7 @@ private:
 
 void render_hours(device::Device& device, const ViewPlan& plan, const std::vector<HourSky>& hours,
                   const HoursWanted& wanted, const GiveHourFrame& give) {
+    device.hold(plan.scene.tables);
     const size_t pixels = size_t(plan.sampling.params.nx) * plan.sampling.params.ny;
     const size_t n = hours_together(pixels, size_t(wanted.last - wanted.first + 2));
     // Halved where they do not fit: an hour's frames do not depend on the others.
@@ -209,11 +210,11 @@ std::vector<bool> have_images(const ViewPlan& plan, const std::vector<HourSky>& 
 
 std::string shared_paths(const ViewPlan& plan) { return base::hash_of(plan.fingerprint); }
 
-std::string hour_fingerprint(const ViewPlan& plan, const HourSky& h) {
+std::string hour_part(const HourSky& h) {
     base::Hash hash;
     hash.add_all(std::vector<double>{h.sun.x, h.sun.y, h.sun.z, h.sun_radiance, h.level, h.ground, h.horizon});
     hash.add_all(std::vector<double>(h.shape, h.shape + 5));
-    return plan.fingerprint + " hour:" + hash.text();
+    return " hour:" + hash.text();
 }
 
 }  // namespace render

@@ -33,7 +33,7 @@ std::string why_apart(const ViewPlan& plan);
 std::vector<bool> have_images(const ViewPlan& plan, const std::vector<HourSky>& hours);
 // Names the paths that pictures of the hours have in common (SHARED_PATHS=), besides their seed.
 std::string shared_paths(const ViewPlan& plan);
-// Of the frames of an hour.
-std::string hour_fingerprint(const ViewPlan& plan, const HourSky& hour);
+// What the fingerprint of an hour's frames has behind that of the plan.
+std::string hour_part(const HourSky& hour);
 
 }  // namespace render

@@ -36,6 +36,11 @@ check 'hours of a weather file have them, too, the dark ones black' '
     [ "$(strings hours.str | grep -c "^ACTION=mel 9 lx")" = 3 ]
     ptrace -w- $view -frames 2 -wea w.wea -hours-apart -action mel room.rad 2> said > hours.str
     [ "$(strings hours.str | grep -c "^ACTION=mel 9 lx")" = 3 ]'
+check 'ordinary frames of hours are those without an action' '
+    ptrace -w- $view -frames 2 -wea w.wea room.rad 2> said | ptaccum -last -o "w_%s.exr"
+    ptrace -w- $view -frames 2 -wea w.wea -action mel room.rad 2> said | ptaccum -last -o "a_%s.exr"
+    [ "$(mkstream differ w_eye_0621_1230.exr a_eye_0621_1230.exr)" = 0 ]
+    [ "$(mkstream differ a_eye_0621_1230.exr a_eye_0621_1230_mel.exr)" != 0 ]'
 check 'and so have sensors' '
     ptrace -w- -points desk.pts -frames 2 -action mel sky.rad room.rad | strings | grep -c "^ACTION=mel 9 lx" |
         grep -qx 2'

@@ -10,7 +10,6 @@
 #include "base/printable.h"
 #include "base/shutdown.h"
 #include "frames.h"
-#include "hours.h"
 #include "image/header.h"
 
 namespace {
@@ -49,16 +48,14 @@ void warn_of_guesses(const Session& s) {
         base::warn("-action", "no spectrum, so a smooth one of the RGB: " + list(guessed.surfaces));
 }
 
-void render_actions_together(Session& s, size_t i) {
-    const Options& opt = s.run.opt;
-    for (const ActionRun& action : opt.actions) {
-        if (base::shutdown_requested()) return;
-        ActionHours hours{action.label, render::parts_by_daylight(action.parts), {}};
+std::vector<render::ActionHours> plan_action_hours(Session& s, size_t i) {
+    std::vector<render::ActionHours> all;
+    for (const ActionRun& action : s.run.opt.actions) {
+        render::ActionHours hours{action.label, render::parts_by_daylight(action.parts), {}};
         plan_parts(s, hours.parts, i, hours.plans);
-        render::ViewPlan named = hours.plans[0];
-        named.fingerprint = render::action_fingerprint(hours.plans);
-        render_hours(opt, i, *s.device, named, s.report, &hours);
+        all.push_back(std::move(hours));
     }
+    return all;
 }
 
 void write_dark_actions(const Options& opt, image::Picture& picture) {

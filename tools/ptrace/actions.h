@@ -3,6 +3,7 @@
 #pragma once
 #include <cstddef>
 
+#include "hours.h"
 #include "session.h"
 
 // Warns once of what has no spectrum; the scene is loaded.
@@ -10,7 +11,7 @@ void warn_of_guesses(const Session& session);
 
 // View i under this sky, by each action.
 void render_actions(Session& session, const Sky& sky, size_t i);
-// The same in all hours of -wea that are rendered together.
-void render_actions_together(Session& session, size_t i);
+// Their renderings of hours of -wea that share their paths.
+std::vector<render::ActionHours> plan_action_hours(Session& session, size_t i);
 // The same in a dark hour.
 void write_dark_actions(const Options& opt, image::Picture& picture);

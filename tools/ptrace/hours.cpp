@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include "actions.h"
 #include "after.h"
 #include "base/progress.h"
 #include "base/run.h"
@@ -14,7 +15,7 @@
 #include "render/hours.h"
 
 std::vector<bool> render_hours(Options opt, size_t i, device::Device& device, const render::ViewPlan& plan,
-                               Report& report, const ActionHours* action) {
+                               Report& report, const std::vector<render::ActionHours>& actions) {
     std::vector<render::HourSky> hours;
     std::vector<size_t> of;  // of each: its place in opt.skies
     for (size_t sky = 0; sky < opt.skies.size(); sky++)
@@ -25,7 +26,7 @@ std::vector<bool> render_hours(Options opt, size_t i, device::Device& device, co
     const std::vector<bool> alone = render::have_images(plan, hours);
     for (size_t k = lit; k-- > 0;)
         if (alone[k]) left[of[k]] = true, hours.erase(hours.begin() + long(k)), of.erase(of.begin() + long(k));
-    if (hours.size() < lit && !action)
+    if (hours.size() < lit)
         base::say(
             fmt::format("ptrace: {} of {} hours are rendered by themselves: a smooth surface shows the eye their "
                         "sun",
@@ -38,8 +39,8 @@ std::vector<bool> render_hours(Options opt, size_t i, device::Device& device, co
             if (!opt.skies[next].is_black() || is_rendered(opt, i, opt.skies[next])) continue;
             image::Picture picture = start_picture(opt, opt.skies[next], i, nullptr);
             picture.header.shared_paths = shared;  // as all of the stream
-            if (action) picture.header.action = action->label;
             write_dark(opt, picture);
+            write_dark_actions(opt, picture);
         }
     };
     base::Progress progress("ptrace");
@@ -54,14 +55,15 @@ std::vector<bool> render_hours(Options opt, size_t i, device::Device& device, co
     };
     image::Picture picture;
     film::Accumulator sum;
-    const render::GiveHourFrame give = [&](size_t hour, int64_t k, const std::vector<float>& rgb,
-                                           const image::Moments& moments) {
+    const render::GiveAnyFrame give = [&](const render::ActionHours* action, size_t hour, int64_t k,
+                                          const std::vector<float>& rgb, const image::Moments& moments) {
         const Sky& sky = opt.skies[of[hour]];
         if (k == opt.first) {
             progress.clear();
             dark_ones_before(of[hour]);
             picture = start_picture(opt, sky, i, &plan);
-            picture.header.fingerprint = render::hour_fingerprint(plan, hours[hour]);
+            picture.header.fingerprint = action ? render::action_fingerprint(action->plans) : plan.fingerprint;
+            picture.header.fingerprint += render::hour_part(hours[hour]);
             picture.header.shared_paths = shared;
             if (action) picture.header.action = action->label;
             if (opt.output.empty()) picture.header.last_frame = opt.last;
@@ -80,8 +82,7 @@ std::vector<bool> render_hours(Options opt, size_t i, device::Device& device, co
         return !base::shutdown_requested();
     };
     try {
-        if (action) render::render_action_hours(device, action->parts, action->plans, hours, wanted, give);
-        else render::render_hours(device, plan, hours, wanted, give);
+        render::render_hours(device, plan, hours, wanted, actions, give);
     } catch (const device::Cancelled&) {}                      // a signal, before the first hour
     if (opt.one_picture && !sum.empty()) write_sum(opt, sum);  // of an hour cut off
     if (!base::shutdown_requested()) dark_ones_before(opt.skies.size());

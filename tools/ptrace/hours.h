@@ -3,17 +3,10 @@
 #pragma once
 #include <vector>
 #include "options.h"
-#include "render/view_plan.h"
+#include "render/action.h"
 #include "report.h"
 
-// The renderings of an action, in place of the ordinary ones.
-struct ActionHours {
-    image::Action label;
-    std::vector<render::ActionPart> parts;  // by daylight
-    std::vector<render::ViewPlan> plans;
-};
-
 // All hours of view i, dark ones as black frames, but those that are better rendered by themselves (have_images()):
-// of each sky, whether it is left.  action: null, or theirs; plan: with the fingerprint of all then.
+// of each sky, whether it is left.  Behind the frames of an hour those of each action.
 std::vector<bool> render_hours(Options opt, size_t i, device::Device& device, const render::ViewPlan& plan,
-                               Report& report, const ActionHours* action = nullptr);
+                               Report& report, const std::vector<render::ActionHours>& actions);

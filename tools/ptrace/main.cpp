@@ -106,8 +106,7 @@ std::optional<Left> render_together(Session& s) {
     base::finish_on_signal();
     for (size_t i = 0; i < opt.views.size() && !base::shutdown_requested(); ++i) {
         if (i > 0) plan_first(s, {}, i);
-        left[i] = render_hours(opt, i, *s.device, s.plan, s.report);
-        render_actions_together(s, i);
+        left[i] = render_hours(opt, i, *s.device, s.plan, s.report, plan_action_hours(s, i));
     }
     s.plan = {};
     return left;
