@@ -76,7 +76,7 @@ deb: setup ## a Debian package in out/deb, the same bytes for the same sources; 
 
 test-arm64: PARTS += tests arm64
 test-arm64: ARCH = arm64
-test-arm64: setup ## the programs for ARM, built here; their bits and words under qemu (half an hour of a core)
+test-arm64: setup ## the programs for ARM, built here; their bits and words under qemu (long)
 	@cmake -S . -B build-arm64 -G Ninja --log-level=WARNING -DCMAKE_TOOLCHAIN_FILE=cmake/arm64.cmake $(UNITY) $(FLAGS)
 	@cmake --build build-arm64 -j $(JOBS) --target tools $$(sh scripts/test_arm64.sh targets)
 	@bash scripts/test_arm64.sh build-arm64

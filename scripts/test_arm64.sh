@@ -45,7 +45,7 @@ for test in $tests; do
     try "$test" "$build/run/$test"
 done
 # the test is this machine's, the program that it calls is not
-try evalglare_golden bash -c "${CXX:-g++} -std=c++17 -O1 -pthread '-DLUXPIPE_TESTS=\"$top/tests\"' \
+try evalglare_golden bash -c "${CXX:-g++} -std=c++17 -O1 -pthread -DOTHER_PROCESSOR '-DLUXPIPE_TESTS=\"$top/tests\"' \
     '-DVCMETRICS=\"$build/run/vcmetrics\"' '$top/tests/parity/evalglare_golden_test.cpp' -o '$build/run/golden_here' &&
     '$build/run/golden_here'"
 for test in ptaccum_test vcmetrics_test vcregion_test vcyear_test pipeline ptrace_options inputs; do
