@@ -82,7 +82,7 @@ check('back to a clear one', soon(lambda: sky().startswith('!gensky 12 21 12.5 +
 with open('wrong.epw', 'w') as file: file.write('nothing')
 page.one('#weather').send_keys(os.path.abspath('wrong.epw'))
 check('a file that is no weather is told', soon(lambda: page.js(
-    'document.getElementById("weather").validationMessage') == 'neither an EPW nor a WEA file'))
+    'document.getElementById("sky-kind").validationMessage') == 'neither an EPW nor a WEA file'))
 epw = 'LOCATION,Town,-,-,x,1,51.5,-.25,1,0\n' + 'x\n' * 7 + ''.join(
     f'2001,1,{day},{hour},60,?,1,1,1,1,1,1,1,1,{100 * day + hour},{hour}\n' for day in (1, 2) for hour in range(1, 25))
 texts = page.chrome.execute_async_script("""

@@ -3,6 +3,7 @@
 import { skies_in, with_sky } from '/model_text.js';
 import { kind_of, of_weather, skies, weather_of, with_sky_kind, with_weather } from '/sky_text.js';
 
+const a_file = 'file';
 const $ = (id) => document.getElementById(id);
 
 export class Sky {
@@ -12,7 +13,11 @@ export class Sky {
       with_weather(text, this.weather, day, hour) :
       with_sky(text, k, day, hour);
     $('sky-kind').append(...Object.entries(skies).map(([kind, words]) => new Option(words, kind)));
-    $('sky-kind').addEventListener('change', () => this.choose($('sky-kind').value));
+    $('sky-kind').addEventListener('change', () => {
+      if ($('sky-kind').value !== a_file) return this.choose($('sky-kind').value);
+      this.take();
+      $('weather').click();
+    });
     $('weather').addEventListener('change', () => this.read());
   }
 
@@ -21,6 +26,7 @@ export class Sky {
 
   choose(kind) {
     const { one } = this, [{ day, hour }] = skies_in(one.text), is_hour = kind === of_weather;
+    $('sky-kind').setCustomValidity('');
     this.sliders.choose(one);
     this.sliders.set(is_hour ? with_weather(one.text, this.weather, day, hour) : with_sky_kind(one.text, kind), false,
       `sky: ${is_hour ? `an hour of ${this.weather.place}` : skies[kind]}`);
@@ -28,8 +34,9 @@ export class Sky {
 
   async read() {
     const [file] = $('weather').files, weather = file && weather_of(await file.text());
-    $('weather').setCustomValidity(file && !weather ? 'neither an EPW nor a WEA file' : '');
-    $('weather').reportValidity();
+    $('weather').value = '';
+    $('sky-kind').setCustomValidity(file && !weather ? 'neither an EPW nor a WEA file' : '');
+    $('sky-kind').reportValidity();
     if (!weather || !this.one) return;
     this.weather = weather;
     this.choose(of_weather);
@@ -41,7 +48,8 @@ export class Sky {
     if (!one) return;
     const keeps = [...$('sky-kind').options].filter((o) => o.value in skies);
     const more = this.weather || kind === of_weather ? [new Option(`hour of ${words}`, of_weather)] : [];
-    $('sky-kind').replaceChildren(...keeps, ...more, ...kind ? [] : [new Option('of its own', '')]);
+    const file = new Option(`an hour of ${this.weather ? 'another' : 'a'} weather file ...`, a_file);
+    $('sky-kind').replaceChildren(...keeps, ...more, file, ...kind ? [] : [new Option('of its own', '')]);
     $('sky-kind').value = kind ?? '';
     if (more.length) more[0].disabled = !this.weather;
   }
