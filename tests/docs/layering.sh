@@ -29,7 +29,7 @@ lib/render: base view image spectrum scene flatten device sampling kernels
 lib/visibility: base region scene flatten
 lib/live: base view image display region
 tools/ptaccum: base view image film display
-tools/vcmetrics: base view image display uncertainty glare evalglare report region visibility
+tools/vcmetrics: base view image spectrum display uncertainty glare evalglare report region visibility
 tools/vcregion: base view image region visibility
 tools/vcyear: base image report year
 tools/vcview: base live

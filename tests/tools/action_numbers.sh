@@ -14,6 +14,8 @@ within() { awk -v column="$1" -v low="$2" -v high="$3" -F "\t" "
     NR > 1 { ++n; v = \$at[column]; if (!(v >= low && v <= high)) { print column, v; bad = 1 } } END { exit !n || bad }"
 }
 
+within_row() { awk -v is="$1" -v by="$2" "{ exit !(\$2 > is - by && \$2 < is + by) }"; }
+
 check 'grey under D65: melanopic EDI is the illuminance, and DER is 1' '
     ptrace -w- $view -action mel -action V sky.rad grey.rad | measured -metrics Ev,mEDI,mDER,EvV > rows 2> said
     within mDER .9999 1.0001 < rows; within mDER.lo .9999 1 < rows; ! grep "by V" said
@@ -38,3 +40,14 @@ check 'and hours of a year' '
     ptrace -w- $small grey.rad 2> said | ptaccum -every x2/8 | vcmetrics -metrics Ev,DGP -ci 95 -last > plain.tsv
     vcyear hours.tsv 2> said > five; grep -v mEDI five | diff - <(vcyear plain.tsv 2> said)
     grep -q "^mEDI      136 lx in 2, 250 lx in 2 of 3 hours" five'
+
+check 'lights without a picture: the ratios of CIE S 026' '
+    printf "nm,value\n380,1\n780,1\n" > equal.csv; vcmetrics -spectrum F12 -spectrum D65 -spectrum equal.csv > rows
+    head -1 rows | grep -qx "light.mDER.rhDER.scDER.mcDER.lcDER"
+    for n in 4 5 6; do awk -v n=$n -F "\t" "NR == 3 { exit (\$(n - 2) - 1)^2 > 1e-12 }" rows; done
+    sed -n 2p rows | within_row .4028 .002; sed -n 4p rows | within_row .9058 .002'
+check_error 'a light that is none' 1 '^vcmetrics: -spectrum: "F99" is neither a file nor one of A E' '
+    vcmetrics -spectrum F99'
+check_error 'or has no light' 1 '^vcmetrics: .*dark.csv: ' '
+    printf "400 0\n500 0\n" > dark.csv; vcmetrics -spectrum dark.csv'
+check_error 'a light beside a picture' 1 '^vcmetrics: -spectrum: is of lights' 'vcmetrics -spectrum A x.hdr'

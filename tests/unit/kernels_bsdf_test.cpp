@@ -25,7 +25,7 @@ struct Tables {
     uint32_t at;
     SceneTables s = {};
     explicit Tables(const std::string& text) : file(scene::parse_bsdf(text, "test.xml")) {
-        at = flatten::add_bsdf(file, records, code, "test.xml");
+        at = flatten::add_bsdf(file, nullptr, records, code, "test.xml");
         s.bsdf_components = records.components.data();
         s.bsdf_tables = records.tables.data();
         s.bsdf_rings = records.rings.data();

@@ -44,6 +44,10 @@ void declare_output(OptionTable& t, Options& o) {
     });
     t.add("-sources", "Print a line for each glare source instead of the metrics", o.list_sources);
     t.add("-outlines", "With -sources and -format jsonl: the outline of each source as well", o.outlines);
+    t.add("-spectrum light",
+          "What a light is to the actions of CIE S 026, in place of pictures: its file, or F11, LED-B3, 5500 ...; may "
+          "be repeated",
+          [&](Arguments& a) { o.spectra.push_back(a.text()); });
     t.add("-over file", "Draw the picture with sources, regions and metrics (.png), or the map of points (.svg, .png)",
           [&](Arguments& a) { o.over_file = a.text(); });
     t.add("-report file", "Write a report of the last picture, for people (.html)", o.report_file);

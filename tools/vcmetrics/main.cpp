@@ -5,11 +5,13 @@
 #include "difference_inputs.h"
 #include "measure_stream.h"
 #include "options.h"
+#include "spectra.h"
 
 int main(int argc, char** argv) {
     return base::run("vcmetrics", [&] {
         Options options;
         if (const auto status = parse_options(argc, argv, options)) return *status;
+        if (!options.spectra.empty()) return print_spectra(options);
         return options.difference ? difference_inputs(options) : measure_all(options);
     });
 }

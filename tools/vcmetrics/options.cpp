@@ -111,6 +111,8 @@ void check(const Options& o) {
         base::fail("-against", "\"" + o.against + "\" is neither previous nor first, nor a file that can be read");
     if (!o.files.empty() && !o.against.empty()) base::fail("-against", "works on a stream, not on files");
     if (o.tolerances && !o.difference) base::fail("-tolerance", "belongs to -difference");
+    if (!o.spectra.empty() && (!o.files.empty() || o.difference || o.mode != OutputMode::vcmetrics))
+        base::fail("-spectrum", "is of lights, and cannot be used with pictures, -difference or -like");
     if (!o.difference) return;
 
     if (o.files.size() != 2) base::fail("-difference", fmt::format("takes two inputs, not {}", o.files.size()));

@@ -20,6 +20,7 @@ struct Options {
     std::vector<std::string> files;  // empty: stdin
     std::string regions_file;
     std::vector<std::string> contrast_pairs;
+    std::vector<std::string> spectra;       // -spectrum: lights to judge, in place of pictures
     std::vector<std::string> metrics;       // empty: the default columns
     std::vector<std::string> points_files;  // -points: of pictures of points
     bool each = false;                      // -each: a row a point
