@@ -202,10 +202,10 @@ TEST_CASE("recorded lines of evalglare come out again for 99 % of the rows") {
         equal += any;
         const Row& row = jobs[k]->by[0];
         if (!any) MESSAGE("differs (docs/differences-evalglare.md): " << row.image << " " << row.arguments);
-#ifndef OTHER_PROCESSOR  // whose log10 of a negative number has another sign (decisions/0048)
+#ifndef OTHER_PROCESSOR  // whose C library has other last bits and signs (decisions/0048): 99 % of the rows are equal
         CHECK_MESSAGE(!other_sign[k], "nan has another sign: " << row.image << " " << row.arguments);
-#endif
         CHECK_MESSAGE((any || !jobs[k]->with_pips_alone), row.image << " " << row.arguments);
+#endif
     }
     MESSAGE(equal << " of " << jobs.size() << " rows agree with a build; with each alone: " << equal_to[0] << ", "
                   << equal_to[1] << " (no fused multiply-add), " << equal_to[2] << " (pip's)");
