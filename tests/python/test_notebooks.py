@@ -59,6 +59,7 @@ def test_examples_of_the_page(hdr, tmp_path, monkeypatch):
     for function in (luxpipe.render, luxpipe.frames, luxpipe.year):
         monkeypatch.setitem(function.__kwdefaults__, "size", 24)
     (tmp_path / "site.wea").write_text(WEATHER)
+    (tmp_path / "blind.rad").write_text("wall_paint ring blind 0 0 8 2 .1 1.5 0 1 0 0 .5\n")
     (tmp_path / "desk.pts").write_text("2 2 .8 0 0 1\n")
     (tmp_path / "photo.hdr").write_bytes(hdr.read_bytes())
     scene = [str(file) for file in SCENE]
