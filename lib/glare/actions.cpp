@@ -9,11 +9,6 @@
 namespace glare {
 namespace {
 
-// The action spectra of CIE S 026, and what their columns begin with.
-constexpr struct {
-    const char *action, *symbol;
-} alpha_opic[] = {{"mel", "m"}, {"rh", "rh"}, {"sc", "sc"}, {"mc", "mc"}, {"lc", "lc"}};
-
 const std::string of_user = "E_";
 
 // Regions, sets of pixels and pairs are not known here: their names have a dot.

@@ -12,6 +12,12 @@ namespace glare {
 
 constexpr const char* illuminance_by_V = "EvV";
 
+// The action spectra of CIE S 026, and what their columns begin with.
+struct AlphaOpic {
+    const char *action, *symbol;
+};
+constexpr AlphaOpic alpha_opic[] = {{"mel", "m"}, {"rh", "rh"}, {"sc", "sc"}, {"mc", "mc"}, {"lc", "lc"}};
+
 struct ActionColumn {
     std::string name;
     std::string action;  // of the picture that it is measured in: that one's illuminance, "mEDI", "EvV", "E_NAME"

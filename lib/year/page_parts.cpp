@@ -67,8 +67,7 @@ Part part_of(const PageParts::Plane& plane, const std::string& file) {
 
 constexpr const char* sunlight_rule =
     "minimum: the sun, from {} on, reaches a point of the openings for 1.5 h; medium: 3 h; high: 4 h, on a cloudless "
-    "day "
-    "from 1 February to 21 March.";
+    "day from 1 February to 21 March.";
 
 Part part_of(const PageParts::Openings& openings) {
     const Sunlight& s = openings.sunlight;

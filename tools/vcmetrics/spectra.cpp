@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include "glare/actions.h"
 #include "report/table.h"
 #include "spectrum/action.h"
 #include "spectrum/illuminants.h"
@@ -14,10 +15,8 @@ int print_spectra(const Options& options) {
         const spectrum::Spectrum s = spectrum::illuminant(light, "-spectrum");
         report::Line line;
         report::add(line, "light", report::text_cell(light));
-        for (const char* const action : {"mel", "rh", "sc", "mc", "lc"}) {
-            const std::string name = action == std::string("mel") ? "mDER" : action + std::string("DER");
-            report::add(line, name, spectrum::daylight_ratio(spectrum::action_of(action), s));
-        }
+        for (const auto& [action, symbol] : glare::alpha_opic)
+            report::add(line, symbol + std::string("DER"), spectrum::daylight_ratio(spectrum::action_of(action), s));
         lines.push_back(line);
     }
     fmt::print("{}", report::table(lines, options.format));
