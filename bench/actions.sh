@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# What an action costs beside the ordinary frames: seconds of a view of the office alone, with mel by 9 bands, and with
-# V by 12, too.  BIN: the programs.
+# Prints what an action costs beside the ordinary frames: the seconds that a view of the office takes alone, with mel by
+# 9 bands, and with mel and V by 12 bands.  BIN: the programs.
 set -e
 cd "$(dirname "$0")/../examples/scenes/office"
 frames() {

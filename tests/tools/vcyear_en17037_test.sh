@@ -2,24 +2,7 @@
 # EN 17037 from outside: a room's daylight provision from a weather file and a table by hand, and what is refused.
 . "${TOP:?}/tests/lib.sh"
 needs vcyear
-# A year at 50 N whose days have 4,015 hours of light, the brightest ones about noon, and a room of 20 sensors.
-python3 - << 'END'
-days = [31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31]
-with open("site.wea", "w") as wea, open("room.tsv", "w") as room:
-    wea.write("place Here\nlatitude 50\nlongitude 0\ntime_zone 0\nsite_elevation 0\nweather_data_file_units 1\n")
-    room.write("sky\tgrid\tpoint\tE\tlo\thi\n")
-    for month in range(1, 13):
-        for day in range(1, days[month - 1] + 1):
-            for hour in range(24):
-                diffuse = max(0, 100 - 8 * abs(hour - 11.5))
-                wea.write(f"{month} {day} {hour}.5 0 {diffuse}\n")
-                if diffuse == 0: continue
-                # Six hours a day, half of the twelve brightest, have light: the first ten sensors 320 lx, nine 110 lx.
-                lux = 320 if 9 <= hour < 15 else 20
-                for k in range(20):
-                    e = lux if k < 10 else (lux / 320 * 110 if k < 19 else 0)
-                    room.write(f"{month:02}{day:02}_{hour:02}30\troom\t{k}\t{e}\t{e}\t{e}\n")
-END
+python3 "$TOP/tests/tools/room_year.py" room > room.tsv
 check 'the level, and what lacks to the next one' '
     vcyear -en17037 site.wea room.tsv > says
     level="300 lx on 50.0 %, 100 lx on 95.0 % of the sensors in half of 4380 daylight hours"

@@ -2,28 +2,18 @@
 # The page of a year with EN 17037's four parts and shades that move, from tables by hand: levels, rules, what lacks.
 . "${TOP:?}/tests/lib.sh"
 needs vcyear python3
+python3 "$TOP/tests/tools/room_year.py" floor open > floor.tsv
 python3 - << 'END'
 days = [31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31]
 desk = "sky\tview\tstate\tDGP\tDGP.lo\tDGP.hi\tpixels\terrors\n"
-with open("site.wea", "w") as wea, open("floor.tsv", "w") as room:
-    wea.write("place Here\nlatitude 50\nlongitude 0\ntime_zone 0\nsite_elevation 0\nweather_data_file_units 1\n")
-    room.write("sky\tgrid\tstate\tpoint\tE\tlo\thi\n")
-    for month in range(1, 13):
-        for day in range(1, days[month - 1] + 1):
-            for hour in range(24):
-                diffuse = max(0, 100 - 8 * abs(hour - 11.5))
-                wea.write(f"{month} {day} {hour}.5 0 {diffuse}\n")
-                if diffuse == 0: continue
-                lux = 320 if 9 <= hour < 15 else 20
-                for k in range(20):
-                    e = lux if k < 10 else (lux / 320 * 110 if k < 19 else 0)
-                    room.write(f"{month:02}{day:02}_{hour:02}30\tfloor\topen\t{k}\t{e}\t{e}\t{e}\n")
-            # Glare at noon on every tenth day: half closed shades are enough in January, not in February.
-            for hour, name, dgps in ((9, "east", (.2, .2, .2)), (12, "desk<1>", (.5, .5 if month == 2 else .3, .2))):
-                for state, dgp in zip(("open", "half", "shut"), dgps if day % 10 == 0 else (.2, .2, .2)):
-                    for view in ("east", "desk<1>"):
-                        d = dgp if view == name else .2
-                        desk += f"{month:02}{day:02}_{hour:02}30\t{view}\t{state}\t{d}\t{d}\t{d}\t9999\tDGP=.001/8\n"
+for month in range(1, 13):
+    for day in range(1, days[month - 1] + 1):
+        # Glare at noon on every tenth day: half closed shades are enough in January, not in February.
+        for hour, name, dgps in ((9, "east", (.2, .2, .2)), (12, "desk<1>", (.5, .5 if month == 2 else .3, .2))):
+            for state, dgp in zip(("open", "half", "shut"), dgps if day % 10 == 0 else (.2, .2, .2)):
+                for view in ("east", "desk<1>"):
+                    d = dgp if view == name else .2
+                    desk += f"{month:02}{day:02}_{hour:02}30\t{view}\t{state}\t{d}\t{d}\t{d}\t9999\tDGP=.001/8\n"
 open("desks.tsv", "w").write(desk)
 with open("day.wea", "w") as wea, open("sun.tsv", "w") as sun:
     wea.write("place Berlin\nlatitude 52.52\nlongitude -13.4\ntime_zone -15\nsite_elevation 0\n")
