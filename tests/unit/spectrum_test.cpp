@@ -5,7 +5,9 @@
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <fstream>
 
 #include "base/error.h"
 #include "cal/spectrum.h"
@@ -64,6 +66,38 @@ TEST_CASE("melanopic daylight ratios of illuminants") {
     const Action mel = action_of("mel");
     for (const auto& k : known)
         CHECK_MESSAGE(off_percent(daylight_ratio(mel, illuminant(k.name, "")), k.ratio) < .2, k.name);
+}
+
+TEST_CASE("alpha-opic irradiances of measured lights are the published ones") {  // tests/golden/spectra/README.md
+    const std::string folder = LUXPIPE_TESTS "/golden/spectra/";
+    const auto peak = [](const Spectrum& s) { return *std::max_element(s.begin(), s.end()); };
+    std::ifstream table(folder + "published.tsv");
+    std::string heading, light, lux;
+    int lights = 0;
+    for (std::getline(table, heading); table >> light >> lux; lights++) {
+        const Spectrum s = read_spectrum(folder + light + ".csv", {});
+        // 100 lx, or the spectrum as it stands, in 1e-3 W/m2/nm
+        const double by = lux == "-" ? 1 : std::stod(lux) / .683002 * peak(by_v().value) / dot(by_v().value, s);
+        for (const char* name : {"sc", "mc", "lc", "rh", "mel"}) {
+            const Spectrum value = action_of(name).value;
+            double published;
+            REQUIRE(bool(table >> published));
+            CAPTURE(light + " " + name);
+            CHECK(off_percent(by * dot(value, s) / peak(value), published) < .3);
+        }
+    }
+    CHECK(lights == 10);
+}
+
+// By luxpy 1.12.5, spd_to_aopicDER, of the CIE's table by 1 nm: an implementation by others; no published one was
+// found.
+TEST_CASE("daylight ratios of F12 by the five actions") {
+    const struct {
+        const char* name;
+        double ratio;
+    } known[] = {{"sc", .35874}, {"mc", .79899}, {"lc", 1.0047}, {"rh", .50766}, {"mel", .40281}};
+    for (const auto& k : known)
+        CHECK_MESSAGE(off_percent(daylight_ratio(action_of(k.name), illuminant("F12", "")), k.ratio) < .02, k.name);
 }
 
 TEST_CASE("the bands of an action share its light out and keep a surface of one reflectance") {
