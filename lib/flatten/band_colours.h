@@ -16,6 +16,7 @@ namespace flatten {
 struct LightSpectra {
     std::map<std::string, spectrum::Spectrum> lamps;  // by the name of a modifier
     spectrum::Spectrum daylight{};                    // of all other lights
+    bool by_sky = false;                              // suns and skies have that of spectrum/sky_light.h
 };
 
 struct BandColours {

@@ -12,8 +12,9 @@ namespace kernels {
 namespace flatten {
 using namespace kernels;
 
-double mean_luminance(const FlatScene& scene, const Source& source) {
-    constexpr uint samples = 64;
+namespace {
+
+SceneTables tables_of(const FlatScene& scene) {
     SceneTables t{};
     t.shapes = scene.shapes.data();
     t.prims = scene.prims.data();
@@ -21,6 +22,14 @@ double mean_luminance(const FlatScene& scene, const Source& source) {
     t.modifiers = scene.modifiers.data();
     t.u = scene.u.data();
     t.f = scene.f.data();
+    return t;
+}
+
+}  // namespace
+
+double mean_luminance(const FlatScene& scene, const Source& source) {
+    constexpr uint samples = 64;
+    const SceneTables t = tables_of(scene);
     Params par{};
     par.centre = packed(scene.centre);
     const uint kind = source.kind;
@@ -57,6 +66,18 @@ double mean_luminance(const FlatScene& scene, const Source& source) {
         weights += weight;
     }
     return sum / weights;
+}
+
+double distant_luminance(const FlatScene& scene, const Distant& distant, base::Vec3 dir) {
+    if (distant.seen >= DISTANT_BLACK) return 0;
+    Params par{};
+    par.centre = packed(scene.centre);
+    Sampler rnd = sampler_start(0u, 0u, 0u, 0u, 0u);
+    const float3 d = F3(float(dir.x), float(dir.y), float(dir.z));
+    const SceneTables t = tables_of(scene);
+    return std::max(
+        luminance3(light_radiance(&t, &par, distant.seen, NONE, d, F3(0.0f, 0.0f, 0.0f), neg3(d), 1e30f, 1e30f, &rnd)),
+        0.0f);
 }
 
 bool has_orientation(const FlatScene& scene, uint32_t mod, base::Vec3 p, base::Vec3 n) {

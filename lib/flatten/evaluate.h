@@ -10,6 +10,9 @@ namespace flatten {
 // Mean luminance of a light source, patterns included, over its points and the directions of its emission.
 double mean_luminance(const FlatScene& scene, const kernels::Source& source);
 
+// Luminance of a distant surface in a direction, patterns included.
+double distant_luminance(const FlatScene& scene, const kernels::Distant& distant, base::Vec3 dir);
+
 // Has the BSDF of a modifier record an orientation at point p (relative to scene.centre) of a surface of normal n?  Not
 // if its up vector is 0 or along n.
 bool has_orientation(const FlatScene& scene, uint32_t mod, base::Vec3 p, base::Vec3 n);

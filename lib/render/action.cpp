@@ -6,6 +6,7 @@
 
 #include "base/hash.h"
 #include "render/progressive.h"
+#include "render/sky_light.h"
 
 namespace render {
 namespace {
@@ -16,6 +17,7 @@ std::string hash_of_colours(const flatten::BandColours& c) {
     base::Hash hash;
     for (size_t k = 0; k < 3; k++) hash.add_all(c.bands.light[k]), hash.add_all(c.bands.surface[k]);
     hash.add_all(c.lights.daylight);
+    if (c.lights.by_sky) hash.add_all(std::string("by sky"));
     for (const auto& [name, spectrum] : c.lights.lamps) hash.add_all(name), hash.add_all(spectrum);
     return hash.text();
 }
@@ -23,17 +25,34 @@ std::string hash_of_colours(const flatten::BandColours& c) {
 // Frames of all pixels that are kept until the last part has them, in floats.
 constexpr size_t most_kept = size_t(1) << 28;
 
+// Hours whose light has colours in the bands of a part by daylight.
+std::vector<HourSky> in_bands(std::vector<HourSky> hours, const ActionPart& part) {
+    const auto tint = [&](const spectrum::Spectrum& s) {
+        const spectrum::Colour c = colour_of_light(part.colours->bands, white, s);
+        return std::array<float, 3>{float(c[0]), float(c[1]), float(c[2])};
+    };
+    for (HourSky& hour : hours) {
+        const spectrum::SkySpectra s = spectrum::spectra_of(sky_light(hour));
+        hour.tint = {tint(s.sun), tint(s.sky), tint(s.ground)};
+        hour.tinted = true;
+    }
+    return hours;
+}
+
 // The grey frames of hours, hour by hour.
 std::vector<std::vector<float>> action_hours(device::Device& device, const ActionHours& action,
                                              const std::vector<HourSky>& hours, HoursWanted wanted) {
     wanted.moments = false;
     const size_t frames = size_t(wanted.last - wanted.first + 1);
     std::vector<std::vector<float>> sums(hours.size() * frames);
-    for (size_t p = 0; p < action.plans.size(); p++)
-        render_hours(device, action.plans[p], hours, wanted, [&](size_t hour, int64_t k, const auto& rgb, const auto&) {
-            add_part(action.parts[p], rgb, sums[hour * frames + size_t(k - wanted.first)]);
+    for (size_t p = 0; p < action.plans.size(); p++) {
+        const ActionPart& part = action.parts[p];
+        const std::vector<HourSky> light = part.colours->lights.by_sky ? in_bands(hours, part) : hours;
+        render_hours(device, action.plans[p], light, wanted, [&](size_t hour, int64_t k, const auto& rgb, const auto&) {
+            add_part(part, rgb, sums[hour * frames + size_t(k - wanted.first)]);
             return true;
         });
+    }
     return sums;
 }
 

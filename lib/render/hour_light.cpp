@@ -40,8 +40,21 @@ HourLight::HourLight(const std::vector<HourSky>& hours, size_t first, size_t cou
 void HourLight::add_sky(const device::SkyShare& sky, float* to) const {
     float radiance[most_hours_together];
     const bool disc = (sky.kind & SKY_MIRRORED) != 0 || ((sky.kind & SKY_STRAIGHT) != 0 && !drawn_);
-    sky_.radiance(sky.dir, disc, radiance);
+    sky_.radiance(sky.dir, disc && !first_->tinted, radiance);
+    if (first_->tinted) return add_tinted(sky, disc, radiance, to);
     for (size_t c = 0; c < 3; c++) add_scaled(to + c * hours(), radiance, sky.rgb[c], hours());
+}
+
+// radiance: without the sun's disc.
+void HourLight::add_tinted(const device::SkyShare& sky, bool disc, const float* radiance, float* to) const {
+    float with_disc[most_hours_together];
+    if (disc) sky_.radiance(sky.dir, true, with_disc);
+    for (size_t h = 0; h < hours(); h++) {
+        const HourSky::Tint& tint = first_[h].tint;
+        const std::array<float, 3>& of = sky.dir[2] < 0 ? tint.ground : tint.sky;
+        const float sun = disc ? with_disc[h] - radiance[h] : 0;
+        for (size_t c = 0; c < 3; c++) to[c * hours() + h] += sky.rgb[c] * (radiance[h] * of[c] + sun * tint.sun[c]);
+    }
 }
 
 void HourLight::add_suns(const PathFactors& f, size_t list, float by, float* to) const {
@@ -51,7 +64,10 @@ void HourLight::add_suns(const PathFactors& f, size_t list, float by, float* to)
         const size_t hour = begin->of - begin_;
         float rgb[3];
         unpack(*begin, rgb);
-        for (size_t c = 0; c < 3; c++) to[c * hours() + hour] += by * sky_.sun_irradiance(hour) * rgb[c];
+        for (size_t c = 0; c < 3; c++) {
+            const float tint = first_[hour].tint.sun[c];
+            to[c * hours() + hour] += by * sky_.sun_irradiance(hour) * rgb[c] * tint;
+        }
     }
 }
 

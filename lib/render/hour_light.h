@@ -32,6 +32,7 @@ public:
 
 private:
     void add_sky(const device::SkyShare& sky, float* to) const;
+    void add_tinted(const device::SkyShare& sky, bool disc, const float* radiance, float* to) const;
     void add_suns(const PathFactors& f, size_t list, float by, float* to) const;
 
     size_t begin_;

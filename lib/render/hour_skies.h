@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The light of many hours: suns as records of the kernels, and the radiance of all their skies in one direction.
 #pragma once
+#include <array>
 #include <string>
 #include <vector>
 #include "base/vec.h"
@@ -16,6 +17,14 @@ struct HourSky {
     double level = 0, ground = 0;  // A1, A2 below the horizon
     double horizon = 0;            // A2 above it: another one where the sky has little light (weather/light.h)
     double shape[5] = {};          // A3 .. A7: Perez' a b c d e
+    double sky_irradiance = 0;     // horizontal, without the sun
+
+    // Light of a colour: factors of the three channels, all 1 where it is grey.
+    struct Tint {
+        std::array<float, 3> sun{1, 1, 1}, sky{1, 1, 1}, ground{1, 1, 1};
+    };
+    Tint tint;
+    bool tinted = false;
 };
 constexpr double sun_radius_deg = .2665;
 

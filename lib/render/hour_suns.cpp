@@ -103,13 +103,14 @@ std::vector<std::vector<DrawnSun>> draw_suns(device::Device& device, const ViewP
     return out;
 }
 
-void add_drawn_suns(const std::vector<DrawnSun>& drawn, float radiance, FrameZero& zero) {
+void add_drawn_suns(const std::vector<DrawnSun>& drawn, const HourSky& hour, FrameZero& zero) {
     if (drawn.empty()) return;
     zero.exact.resize(zero.mean.size());
     zero.drawn.resize(zero.spread.size());
+    const auto radiance = float(hour.sun_radiance);
     const double L = radiance;
     for (const DrawnSun& d : drawn) {
-        for (size_t c = 0; c < 3; c++) zero.exact[3 * size_t(d.pixel) + c] += radiance * d.rgb[c];
+        for (size_t c = 0; c < 3; c++) zero.exact[3 * size_t(d.pixel) + c] += radiance * d.rgb[c] * hour.tint.sun[c];
         DrawnLight& to = zero.drawn[d.pixel];
         to.sum += L * d.light.sum, to.right += L * d.light.right, to.up += L * d.light.up;
         to.squares += L * L * d.light.squares;

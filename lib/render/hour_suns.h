@@ -20,6 +20,6 @@ bool draws_suns(const ViewPlan& plan);
 // By sun of the tables of par's view.
 std::vector<std::vector<DrawnSun>> draw_suns(device::Device& device, const ViewPlan& plan, const device::Params& par);
 // Adds them to the frame 0 of an hour.
-void add_drawn_suns(const std::vector<DrawnSun>& drawn, float radiance, FrameZero& zero);
+void add_drawn_suns(const std::vector<DrawnSun>& drawn, const HourSky& hour, FrameZero& zero);
 
 }  // namespace render

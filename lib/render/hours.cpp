@@ -134,7 +134,7 @@ private:
         zero.half_off = values_of_hour(direct.half_off, count, h);
         zero.spread = values_of_hour(direct.spread, count, h);
         for (size_t sun = 0; sun < suns_.size(); sun++)
-            if (hour_of_sun_[sun] == first + h) add_drawn_suns(suns_[sun], float(hours_[first + h].sun_radiance), zero);
+            if (hour_of_sun_[sun] == first + h) add_drawn_suns(suns_[sun], hours_[first + h], zero);
         return zero;
     }
 

@@ -13,6 +13,7 @@
 #include "cal/spectrum.h"
 #include "image/picture.h"
 #include "spectrum/illuminants.h"
+#include "spectrum/sky_light.h"
 #include "temp_folder.h"
 
 using namespace spectrum;
@@ -53,6 +54,36 @@ TEST_CASE("efficacies of daylight D65 are those of the CIE S 026, mW/lm") {
 
 TEST_CASE("equal energy of 1 has the value 1 by V, as R = G = B = 1 in a picture") {
     CHECK(dot(by_v().value, sampled([](double) { return 1.; })) == doctest::Approx(1));
+}
+
+// Of Bird's SPCTRL2 (pvlib 0.16: 1013 hPa, 2 cm of water, .35 cm of ozone, aerosols of .15 at 500 nm).
+TEST_CASE("the sun's ratio falls with its height as that of another model of air does") {
+    const struct {
+        double height_deg, ratio;
+    } known[] = {{5, .483}, {10, .659}, {20, .785}, {30, .833}, {45, .866}, {60, .880}, {80, .889}};
+    for (const auto& k : known) {
+        const double sine = std::sin(k.height_deg * 3.14159265 / 180);
+        const double ratio = daylight_ratio(action_of("mel"), spectra_of({sine, 90000, 10000}).sun);
+        CHECK_MESSAGE(off_percent(ratio, k.ratio) < 2.5, k.height_deg, ": ", ratio);
+    }
+}
+
+TEST_CASE("an overcast sky has one temperature, a clear one that of its luminance") {
+    CHECK(sky_kelvin({.7, 0, 12000}) == doctest::Approx(6191));
+    CHECK(sky_kelvin({.7, 90000, 14500}) == doctest::Approx(1e6 / (78.648 * std::log10(14500 / 3.14159265) - 180.956)));
+    const double between = sky_kelvin({.7, 20000, 14500});
+    CHECK(between > 6191);
+    CHECK(between < sky_kelvin({.7, 90000, 14500}));
+    CHECK(sky_kelvin({.1, 2000, 100}) == doctest::Approx(25000));  // the hottest daylight that there is
+    CHECK(sky_kelvin({.7, 0, 0}) == doctest::Approx(6191));
+    CHECK(sky_kelvin({-.1, 0, 50}) == doctest::Approx(6191));
+}
+
+TEST_CASE("the ground has the light of sun and sky together") {
+    const SkySpectra s = spectra_of({.5, 60000, 10000}), dark = spectra_of({.5, 0, 0});
+    for (size_t i = 0; i < s.sun.size(); i++) CHECK(s.ground[i] == doctest::Approx(.75 * s.sun[i] + .25 * s.sky[i]));
+    for (const Spectrum& each : {s.sun, s.sky, s.ground, dark.ground})
+        CHECK(dot(by_v().value, each) == doctest::Approx(1));
 }
 
 TEST_CASE("melanopic daylight ratios of illuminants") {

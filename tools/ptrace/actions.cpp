@@ -5,12 +5,16 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "base/angle.h"
 #include "base/error.h"
 #include "base/printable.h"
+#include "base/run.h"
 #include "base/shutdown.h"
 #include "frames.h"
 #include "image/header.h"
+#include "render/sky_light.h"
 
 namespace {
 
@@ -34,16 +38,50 @@ void plan_parts(Session& s, const std::vector<render::ActionPart>& parts, size_t
             render::plan_picture(*s.device, s.text, in_bands(setup_of(s.run.opt, i, progress), parts[p]), plans[p]);
 }
 
+// Those of -daylight and -lamp, and of the sky as loaded.
+flatten::LightSpectra lights_of(const Session& s) {
+    const flatten::LightSpectra& lights = s.run.opt.lights;
+    return lights.by_sky ? render::with_sky_spectra(lights, s.text.scene, *s.plan.scene.tables) : lights;
+}
+
+std::string said_of_hours(const std::vector<Sky>& skies) {
+    double least = 1e9, most = 0;
+    for (const Sky& sky : skies) {
+        if (!sky.light) continue;
+        const double kelvin = sky_kelvin(render::sky_light(*sky.light));
+        least = std::min(least, kelvin), most = std::max(most, kelvin);
+    }
+    return fmt::format("skies of {:.0f} to {:.0f} K", least, most);
+}
+
+std::string said_of(const spectrum::SkyLight& light) {
+    const double height = std::asin(light.sun_sine) / base::degree;
+    const std::string sun = light.sun_lx > 0
+                                ? fmt::format("clearness {:.1f}; a sun at {:.0f} degrees", clearness(light), height)
+                                : "taken for overcast, as there is no sun";
+    return fmt::format("a sky of {:.0f} K ({:.0f} lx, {})", sky_kelvin(light), light.sky_lx, sun);
+}
+
 }  // namespace
+
+void tell_daylight(const Session& s, const Sky& sky, bool is_first) {
+    const Options& opt = s.run.opt;
+    if (!opt.lights.by_sky || (sky.light && !is_first) || opt.state != opt.states.front().name) return;
+    const spectrum::SkyLight light = render::sky_light(*s.plan.scene.tables);
+    if (light.sky_lx + light.sun_lx <= 0) base::warn("-daylight", "the scene has no sun and no sky");
+    else base::say("ptrace: -daylight sky: " + (sky.light ? said_of_hours(opt.skies) : said_of(light)));
+}
 
 void warn_of_guesses(const Session& s) {
     const Options& opt = s.run.opt;
     if (opt.actions.empty() || opt.state != opt.states.front().name) return;
-    const flatten::Guessed guessed = flatten::guessed_spectra(s.text.scene, opt.lights);
+    const flatten::Guessed guessed = flatten::guessed_spectra(s.text.scene, lights_of(s));
     for (const std::string& lamp : guessed.lamps)
-        base::warn("-lamp", "\"" + base::excerpt(lamp) + "\" is no light of the scene, or has a spectrum");
+        if (opt.lights.lamps.count(lamp) > 0)
+            base::warn("-lamp", "\"" + base::excerpt(lamp) + "\" is no light of the scene, or has a spectrum");
     if (!guessed.lights.empty())
-        base::warn("-action", "no spectrum, so daylight " + opt.daylight + ": " + list(guessed.lights));
+        base::warn("-action", "no spectrum, so daylight " + (opt.lights.by_sky ? "D65" : opt.daylight) + ": " +
+                                  list(guessed.lights));
     if (!guessed.surfaces.empty())
         base::warn("-action", "no spectrum, so a smooth one of the RGB: " + list(guessed.surfaces));
 }
@@ -51,7 +89,8 @@ void warn_of_guesses(const Session& s) {
 std::vector<render::ActionHours> plan_action_hours(Session& s, size_t i) {
     std::vector<render::ActionHours> all;
     for (const ActionRun& action : s.run.opt.actions) {
-        render::ActionHours hours{action.label, render::parts_by_daylight(action.parts), {}};
+        const auto parts = render::parts_of(action.action, action.label.bands, s.run.opt.lights);
+        render::ActionHours hours{action.label, render::parts_by_daylight(parts), {}};
         plan_parts(s, hours.parts, i, hours.plans);
         all.push_back(std::move(hours));
     }
@@ -67,11 +106,13 @@ void write_dark_actions(const Options& opt, image::Picture& picture) {
 
 void render_actions(Session& s, const Sky& sky, size_t i) {
     const Options& opt = s.run.opt;
+    const flatten::LightSpectra lights = lights_of(s);
     s.action_plans.resize(opt.actions.size());
     for (size_t a = 0; a < opt.actions.size() && !base::shutdown_requested(); a++) {
         const ActionRun& action = opt.actions[a];
         std::vector<render::ViewPlan>& plans = s.action_plans[a];
-        plan_parts(s, action.parts, i, plans);
+        const std::vector<render::ActionPart> parts = render::parts_of(action.action, action.label.bands, lights);
+        plan_parts(s, parts, i, plans);
         image::Picture picture = start_picture(opt, sky, i, &plans[0]);
         picture.header.action = action.label;
         picture.header.fingerprint = render::action_fingerprint(plans);
@@ -87,7 +128,7 @@ void render_actions(Session& s, const Sky& sky, size_t i) {
             return !base::shutdown_requested();
         };
         try {
-            render::render_action(*s.device, action.parts, plans, opt.first, opt.last - opt.first + 1, give);
+            render::render_action(*s.device, parts, plans, opt.first, opt.last - opt.first + 1, give);
         } catch (const device::Cancelled&) {}
         if (opt.one_picture) write_sum(opt, sum);
         s.report.end();

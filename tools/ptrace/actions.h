@@ -8,6 +8,8 @@
 
 // Warns once of what has no spectrum; the scene is loaded.
 void warn_of_guesses(const Session& session);
+// Says once what spectra a sky gets by -daylight sky; of hours, all of them with the first one.
+void tell_daylight(const Session& session, const Sky& sky, bool is_first);
 
 // View i under this sky, by each action.
 void render_actions(Session& session, const Sky& sky, size_t i);

@@ -14,7 +14,8 @@ namespace {
 base::Opener opener_of(const Options& opt) { return {"", nullptr, opt.files.read.get()}; }
 
 void choose_lights(Options& opt) {
-    opt.lights.daylight = spectrum::illuminant(opt.daylight, "-daylight", opener_of(opt));
+    opt.lights.by_sky = opt.daylight == "sky";
+    opt.lights.daylight = spectrum::illuminant(opt.lights.by_sky ? "D65" : opt.daylight, "-daylight", opener_of(opt));
     for (const std::string& word : opt.lamp_words) {
         const size_t at = word.rfind('=');
         if (at == std::string::npos || at == 0 || at + 1 == word.size())
@@ -43,6 +44,6 @@ void choose_actions(Options& opt) {
             if (other.label.name == action.name)
                 base::fail("-action", "two actions are called \"" + action.name + "\"");
         const int bands = opt.bands > 0 ? opt.bands : action.default_bands;
-        opt.actions.push_back({{action.name, bands, action.unit}, render::parts_of(action, bands, opt.lights)});
+        opt.actions.push_back({{action.name, bands, action.unit}, action});
     }
 }

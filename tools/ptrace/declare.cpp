@@ -111,7 +111,8 @@ void declare_actions(OptionTable& t, Options& opt) {
           "Pictures of light by an action in place of V: mel rh sc mc lc, V, or a file; may be repeated",
           opt.action_words);
     t.add("-bands n", "Bands of an action, three by three", opt.bands).within(0, 60).default_text("9; 12 for V");
-    t.add("-daylight word", "Illuminant of lights without a spectrum, such as D65, 5500 (K), A, or a file",
+    t.add("-daylight word",
+          "Illuminant of lights without a spectrum, such as D65, 5500 (K), A, or a file; sky: by its clearness",
           opt.daylight);
     t.add("-lamp name=word", "Illuminant of the light with this name, such as lamp=F11; may be repeated",
           opt.lamp_words);

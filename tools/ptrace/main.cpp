@@ -101,6 +101,7 @@ std::optional<Left> render_together(Session& s) {
         return {};
     }
     warn_of_guesses(s);
+    tell_daylight(s, *std::find_if(opt.skies.begin(), opt.skies.end(), [](const Sky& k) { return k.light; }), true);
     Left left = all_pictures(opt);
     if (!opt.rule_for.empty()) write_rule(opt);
     base::finish_on_signal();
@@ -164,6 +165,7 @@ int render_all(Session& s) {
         if (only_rule(opt)) continue;
         if (is_first && !has_light) base::warn("scene", "none of its materials gives light: is the sky missing?");
         if (is_first && !of_together) warn_of_guesses(s);
+        if (!of_together) tell_daylight(s, sky, is_first);
         s.control.watch(*opt.files.read);
         plan_first(s, sky, first_view);
         if (opt.pixel) return write_pixel(opt, *s.device, s.plan, s.text.scene), 0;

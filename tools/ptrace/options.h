@@ -24,10 +24,10 @@ struct NamedView {
     render::RenderView render_view;
 };
 
-// -action: how its pictures are called, and its renderings.
+// -action, and how its pictures are called.
 struct ActionRun {
     image::Action label;
-    std::vector<render::ActionPart> parts;
+    spectrum::Action action;
 };
 
 struct Options {

@@ -48,6 +48,7 @@ static render::HourSky hour_sky(const weather::Hour& hour, const weather::HourLi
     sky.level = light.level;
     sky.ground = light.ground;
     sky.horizon = light.horizon;
+    sky.sky_irradiance = light.sky_irradiance;
     for (int i = 0; i < 5; i++) sky.shape[i] = light.perez[i];
     return sky;
 }
