@@ -11,7 +11,8 @@ classroom='-vf back_row.vf materials.rad room.rad furniture.rad ceiling_lights.r
 frames() {
     (cd "$TOP/examples/scenes/$3" &&
         ptrace -device "$2" -x 48 -y 48 -frames 4 -o "$TMP/f%d.hdr" "${@:4}" 2> "$TMP/said") || return
-    for k in 0 1 2 3; do sed '1,/^-Y/d' "$TMP/f$k.hdr"; done > "$TMP/$1"
+    for f in "$TMP"/f[0-3]*.hdr; do sed '1,/^-Y/d' "$f"; done > "$TMP/$1"
+    rm "$TMP"/f[0-3]*.hdr
 }
 for device in $(cat "$TMP/devices"); do
     while read -r room; do
@@ -20,6 +21,7 @@ for device in $(cat "$TMP/devices"); do
             cmp \$TMP/here \$TMP/there || grep -q '^ptrace: warning: opencl.* gives other bits' \$TMP/said"
     done << END
 $office sky_1400.rad
+office -action mel -action V -lamp solar=5000 ${office#office} sky_1400.rad
 $office blinds.rad sky_1100.rad
 $office sky_overcast.rad
 classroom $classroom

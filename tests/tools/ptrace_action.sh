@@ -60,7 +60,7 @@ refused '-action: "blue" is neither mel, rh, sc, mc, lc or V nor a file$' -actio
 refused 'neg.csv: a spectrum is not negative: -1 at 500 nm$' -action neg.csv
 refused '-action: two actions are called "mel"$' -action mel -action mel
 refused '-bands: are rendered three by three, not 8$' -action mel -bands 8
-refused '-lamp: two illuminants for "a"$' -action mel -lamp a=A -lamp a=F11
+refused '-lamp: two illuminants for "a"$' -action mel -lamp a=hat.csv -lamp a=hat.csv
 refused '-lamp: needs a light and an illuminant, as lamp=F11, not "a"$' -action mel -lamp a
 refused '-lamp: "F99" is neither a file nor one of A E D50' -action mel -lamp a=F99
 refused '-daylight: daylight has 4000 to 25000 K, not 3000$' -action mel -daylight 3000
