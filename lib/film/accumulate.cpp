@@ -87,6 +87,7 @@ void Accumulator::add(const image::Picture& frame, const std::string& place) {
     if (empty() || restarts(h)) {
         start(frame, k);
     } else {
+        if (!resumed_.empty()) require_same_action(h, header_, fmt::format("{}: frame {}", place, k), resumed_);
         require_next(k, place);
         require_same(frame, place);
         if (!resumed_.empty() && !grown_) image::add_input_history(header_, place, h);
@@ -128,7 +129,6 @@ void Accumulator::require_same(const image::Picture& frame, const std::string& p
     if (frame.header.view != header_.view) base::fail(place, number + " has another view than " + before);
     if (frame.header.grids != header_.grids) base::fail(place, number + " has other points than " + before);
     if (frame.header.seed != header_.seed) base::fail(place, number + " has another seed than " + before);
-    require_same_action(frame.header, header_, place + ": " + number, before);
     require_same_fingerprint(frame.header, header_, place + ": " + number, before);
 }
 

@@ -65,5 +65,4 @@ refused '-lamp: needs a light and an illuminant, as lamp=F11, not "a"$' -action 
 refused '-lamp: "F99" is neither a file nor one of A E D50' -action mel -lamp a=F99
 refused '-daylight: daylight has 4000 to 25000 K, not 3000$' -action mel -daylight 3000
 refused '-lamp: is for -action$' -lamp a=A
-refused '-action: edits are of ordinary pictures: -watch and -control do not go with it$' -action mel -watch
-refused '-pixel: is of one picture, but there are several$' -action mel -pixel 1,1
+refused '-pixel: is of one picture, but there are several$' -action mel -action V -pixel 1,1

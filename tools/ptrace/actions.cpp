@@ -104,33 +104,30 @@ void write_dark_actions(const Options& opt, image::Picture& picture) {
     }
 }
 
-void render_actions(Session& s, const Sky& sky, size_t i) {
+std::vector<render::ActionPart> plan_action(Session& s, size_t a, size_t i) {
+    const ActionRun& action = s.run.opt.actions[a];
+    s.action_plans.resize(s.run.opt.actions.size());
+    std::vector<render::ActionPart> parts = render::parts_of(action.action, action.label.bands, lights_of(s));
+    plan_parts(s, parts, i, s.action_plans[a]);
+    return parts;
+}
+
+bool render_actions(Session& s, const Sky& sky, size_t i) {
     const Options& opt = s.run.opt;
-    const flatten::LightSpectra lights = lights_of(s);
-    s.action_plans.resize(opt.actions.size());
-    for (size_t a = 0; a < opt.actions.size() && !base::shutdown_requested(); a++) {
-        const ActionRun& action = opt.actions[a];
-        std::vector<render::ViewPlan>& plans = s.action_plans[a];
-        const std::vector<render::ActionPart> parts = render::parts_of(action.action, action.label.bands, lights);
-        plan_parts(s, parts, i, plans);
+    for (size_t a = 0; a < opt.actions.size() && !s.control.edited() && !base::shutdown_requested(); a++) {
+        const std::vector<render::ActionPart> parts = plan_action(s, a, i);
+        const std::vector<render::ViewPlan>& plans = s.action_plans[a];
         image::Picture picture = start_picture(opt, sky, i, &plans[0]);
-        picture.header.action = action.label;
+        picture.header.action = opt.actions[a].label;
         picture.header.fingerprint = render::action_fingerprint(plans);
-        if (opt.output.empty()) picture.header.last_frame = opt.last;
-        const std::string label = image::label(picture.header);
-        s.report.begin(label, s.device->name(), opt.first, opt.last);
-        film::Accumulator sum;
-        const auto give = [&](int64_t k, const std::vector<float>& rgb) {
-            picture.rgb = rgb;
-            picture.header.frame = k;
-            write_frame(opt, picture, sum);
-            s.report.frame(k);
-            return !base::shutdown_requested();
+        if (is_live(opt)) picture.header.edit = s.run.edits, picture.header.edited = s.run.edited;
+        const auto draw = [&](int64_t first, int64_t count, const render::GiveFrame& give) {
+            render::render_action(*s.device, parts, plans, first, count,
+                                  [&](int64_t k, const std::vector<float>& rgb) { return give(k, rgb, {}); });
         };
-        try {
-            render::render_action(*s.device, parts, plans, opt.first, opt.last - opt.first + 1, give);
-        } catch (const device::Cancelled&) {}
-        if (opt.one_picture) write_sum(opt, sum);
-        s.report.end();
+        render_frames(opt, ends_of(opt, s.control, image::label(picture.header)), opt.first, picture, draw,
+                      render::samples_per_frame(plans[0]), s.control, s.report, s.device->name());
+        if (!is_live(opt)) s.report.end();
     }
+    return !s.control.edited();
 }

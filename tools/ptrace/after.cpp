@@ -46,7 +46,6 @@ void go_on_after(Options& opt, bool seed_given) {
         weather::read_rendered(path, opt.rendered);
     }
     if (opt.after.empty()) return;
-    if (!opt.actions.empty()) base::fail("-after", "goes on with ordinary pictures, not with those of -action");
     size_t there = 0;
     for (const scene::State& state : opt.states)
         for (size_t i = 0; i < opt.views.size(); ++i)

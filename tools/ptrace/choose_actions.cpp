@@ -34,7 +34,6 @@ void choose_actions(Options& opt) {
         if (!opt.lamp_words.empty()) base::fail("-lamp", "is for -action");
         return;
     }
-    if (is_live(opt)) base::fail("-action", "edits are of ordinary pictures: -watch and -control do not go with it");
     if (opt.bands % 3 != 0) base::fail("-bands", fmt::format("are rendered three by three, not {}", opt.bands));
     choose_lights(opt);
     for (const std::string& word : opt.action_words) {

@@ -122,19 +122,19 @@ void write_dark(const Options& opt, image::Picture& picture) {
 }
 
 int64_t render_frames(const Options& opt, const Ends& ends, int64_t from, image::Picture& picture,
-                      device::Device& device, const render::ViewPlan& plan, const render::Control& control,
-                      Report& report) {
+                      const DrawFrames& draw, uint32_t samples, const render::Control& control, Report& report,
+                      const std::string& device) {
     const bool streams = opt.output.empty();
     if (streams && ends.last != Options::endless) picture.header.last_frame = ends.last;
     const std::string label = image::label(picture.header);
-    report.begin(label, device.name(), ends.first, ends.last);
-    DarkPoints dark(opt, render::samples_per_frame(plan));
+    report.begin(label, device, ends.first, ends.last);
+    DarkPoints dark(opt, samples);
     film::Accumulator sum;
     int64_t next = from;
     const auto give = [&](int64_t k, const std::vector<float>& rgb, const image::Moments& moments) {
         const bool is_last = ends.now() || k == ends.last;
         if (control.edited()) return false;
-        if (k > 0) dark.add(rgb);
+        if (k > 0 && !picture.header.action) dark.add(rgb);
         picture.rgb = rgb;
         picture.header.frame = k;
         if (is_last && streams) picture.header.last_frame = k;
@@ -147,7 +147,7 @@ int64_t render_frames(const Options& opt, const Ends& ends, int64_t from, image:
     constexpr int64_t block = 1 << 20;  // a bound for the count only: give() says when to stop
     while (next <= ends.last && !control.edited() && !base::shutdown_requested()) {
         try {
-            render::render_frames(device, plan, next, std::min(block, ends.last - next + 1), opt.moments, give);
+            draw(next, std::min(block, ends.last - next + 1), give);
         } catch (const device::Cancelled&) {}
         if (next <= ends.last && control.edit_waits()) ends.now();
     }

@@ -10,6 +10,7 @@
 #include "options.h"
 #include "report.h"
 #include "render/control.h"
+#include "render/progressive.h"
 #include "render/setup.h"
 
 // When the stream of a picture ends: an option that ends it belongs in ends_of().
@@ -19,11 +20,14 @@ struct Ends {
 };
 Ends ends_of(const Options& opt, render::Control& control, const std::string& label);
 
-// Frames from .. ends.last of a plan; picture: with the header that they have in common.  Returns the frame that an
-// edit keeps from being written; ends.last + 1: the picture has ended.
+// What draws frames from .. from + count - 1.
+using DrawFrames = std::function<void(int64_t from, int64_t count, const render::GiveFrame& give)>;
+
+// Frames from .. ends.last; picture: with the header that they have in common; samples: of a point in a frame.  Returns
+// the frame that an edit keeps from being written; ends.last + 1: the picture has ended.
 int64_t render_frames(const Options& opt, const Ends& ends, int64_t from, image::Picture& picture,
-                      device::Device& device, const render::ViewPlan& plan, const render::Control& control,
-                      Report& report);
+                      const DrawFrames& draw, uint32_t samples, const render::Control& control, Report& report,
+                      const std::string& device);
 
 // The header of a picture of view i: what its frames have in common.  plan: of that view; null for a dark hour, for
 // which no scene is loaded.

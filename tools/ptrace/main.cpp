@@ -51,17 +51,25 @@ bool only_rule(const Options& opt) { return !opt.rule_for.empty() && opt.rule_fi
 
 // One view under one sky, again after each edit.  last: of the run, which with -watch waits for edits then.
 void render_view(Session& s, const Sky& sky, size_t i, bool last) {
+    bool whole = false;  // its actions are there, too
     for (int64_t from = s.run.opt.first; !base::shutdown_requested();) {
         Options opt = s.run.opt;
         if (opt.preview) opt.moments = false;
         image::Picture picture = start_picture(opt, sky, i, &s.plan);
         if (is_live(opt)) picture.header.edit = s.run.edits, picture.header.edited = s.run.edited;
         const std::string label = image::label(picture.header);
-        from =
-            render_frames(opt, ends_of(opt, s.control, label), from, picture, *s.device, s.plan, s.control, s.report);
+        const auto draw = [&](int64_t first, int64_t count, const render::GiveFrame& give) {
+            render::render_frames(*s.device, s.plan, first, count, opt.moments, give);
+        };
+        from = render_frames(opt, ends_of(opt, s.control, label), from, picture, draw,
+                             render::samples_per_frame(s.plan), s.control, s.report, s.device->name());
+        if (!opt.preview && !whole && !s.control.edited()) {
+            if (!is_live(opt)) s.report.end();
+            whole = render_actions(s, sky, i);
+        }
         if (opt.preview || (last && opt.watch)) s.control.wait_for_edit(label, opt.preview);
-        if (!s.control.edited() || base::shutdown_requested()) return s.report.end();
-        if (carry_out(s, s.control.take_edits(), sky, i)) from = s.run.opt.first;
+        if (!s.control.edited() || base::shutdown_requested()) return;
+        if (carry_out(s, s.control.take_edits(), sky, i)) from = s.run.opt.first, whole = false;
     }
 }
 
@@ -168,7 +176,7 @@ int render_all(Session& s) {
         if (!of_together) tell_daylight(s, sky, is_first);
         s.control.watch(*opt.files.read);
         plan_first(s, sky, first_view);
-        if (opt.pixel) return write_pixel(opt, *s.device, s.plan, s.text.scene), 0;
+        if (opt.pixel) return write_pixel(s), 0;
         if (opt.output.empty() && !opt.one_picture && base::stdout_is_file() && &sky == &skies.front())
             base::warn("stdout",
                        "writing frames to a file, which only luxpipe can read; \"| ptaccum -last >\" makes a picture");
@@ -177,7 +185,6 @@ int render_all(Session& s) {
             if (!is_left(left[i])) continue;
             if (i > first_view) plan_first(s, sky, i);
             render_view(s, sky, i, last && i + 1 == opt.views.size());
-            render_actions(s, sky, i);
         }
     }
     return 0;

@@ -145,7 +145,7 @@ void check_output(const Options& opt) {
 
 void check_pixel(const Options& opt) {
     const render::RenderView& v = opt.views[0].render_view;
-    if (opt.views.size() > 1 || opt.skies.size() > 1 || opt.states.size() > 1 || !opt.actions.empty())
+    if (opt.views.size() > 1 || opt.skies.size() > 1 || opt.states.size() > 1 || opt.actions.size() > 1)
         base::fail("-pixel", "is of one picture, but there are several");
     if (opt.pixel->x < 0 || opt.pixel->x >= v.nx || opt.pixel->y < 0 || opt.pixel->y >= v.ny)
         base::fail("-pixel",
@@ -172,7 +172,7 @@ void check(const Options& opt) {
     for (const NamedView& s : opt.views) render::require_memory(s.render_view);
     if (opt.pixel) return check_pixel(opt);
     const bool several = opt.views.size() > 1 || opt.skies.size() > 1 || opt.states.size() > 1 || !opt.actions.empty();
-    if (several && opt.last == Options::endless && opt.control.empty())
+    if (several && opt.last == Options::endless && (opt.control.empty() || !opt.actions.empty()))
         base::fail("-frames", "say how many frames each picture gets");
     if (opt.watch && opt.first != 0) base::fail("-watch", "needs frame 0: a picture begins anew with it");
     if (opt.watch && reads_stdin) base::fail("-watch", "the standard input cannot be read again");

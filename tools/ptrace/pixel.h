@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // -pixel: tables of one pixel in place of frames.
 #pragma once
-#include "options.h"
-#include "render/view_plan.h"
-#include "scene/object.h"
+#include "session.h"
 
-void write_pixel(const Options& opt, device::Device& device, const render::ViewPlan& plan, const scene::Scene& scene);
+// Of the ordinary picture or, with -action, of that of the action.
+void write_pixel(Session& session);
