@@ -41,12 +41,14 @@ std::optional<BodyClock> judge_body_clock(const Tables& tables, const std::strin
     return out;
 }
 
-std::string line_of_view(const BodyClock& c) {
-    std::string text = "mEDI      " + (c.name.empty() ? "" : c.name + ": ");
+std::string words_of_view(const BodyClock& c) {
+    std::string text = c.name.empty() ? "" : c.name + ": ";
     for (size_t k = 0; k < edi_limits.size(); ++k)
         text += fmt::format("{}{:g} lx in {}", k ? ", " : "", edi_limits[k], count_text(hours_of_share(c, c.lit[k])));
-    return text + fmt::format(" of {} hours\n", c.hours);
+    return text + fmt::format(" of {} hours", c.hours);
 }
+
+std::string line_of_view(const BodyClock& c) { return "mEDI      " + words_of_view(c) + "\n"; }
 
 std::string line_of_sensors(const BodyClock& c) {
     std::string text = "mEDI      ";

@@ -26,6 +26,7 @@ struct BodyClock {
 std::optional<BodyClock> judge_body_clock(const Tables& tables, const std::string& name, double asked_share,
                                           double alpha);
 
+std::string words_of_view(const BodyClock& clock);  // "desk: 136 lx in 3, 250 lx in 1 of 4 hours"
 std::string line_of_view(const BodyClock& clock);
 std::string line_of_sensors(const BodyClock& clock);
 void add_view(report::Line& line, const BodyClock& clock);

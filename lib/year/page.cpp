@@ -101,6 +101,13 @@ std::string verdict_table(const Page& page) {
                      100 * page.certainty);
 }
 
+std::string body_clocks(const Page& page) {
+    std::string out;
+    for (const BodyClock& c : page.clocks) out += (out.empty() ? "" : "; ") + escaped(words_of_view(c));
+    if (out.empty()) return out;
+    return "<p class=\"clock\">Daylight for the body clock, melanopic EDI at the eye: " + out + ".</p>\n";
+}
+
 std::string commands(const Page& page) {
     constexpr const char* name = "HOUR";
     const std::string command = escaped(with_option(page.command, std::string("-hours ") + name));
@@ -210,7 +217,7 @@ std::string page_text(const Page& page) {
         "<p class=\"title\">{3}</p>\n",
         heading, report::page_style, style, escaped(title));
     if (page.parts.any()) out += parts_table(page.parts, page.verdicts, page.certainty) + "<h2>" + glare + "</h2>\n";
-    out += verdict_table(page) + shades_section(page);
+    out += verdict_table(page) + body_clocks(page) + shades_section(page);
     const std::string plan = plan_figure(page), hours = hour_figures(page);
     if (!plan.empty()) out += "<h2>Plan</h2>\n" + plan;
     if (!hours.empty()) out += "<h2>Hours as the views see them</h2>\n" + hours;

@@ -10,6 +10,7 @@
 #include "image/picture.h"
 #include "view/view.h"
 #include "weather/weather.h"
+#include "year/body_clock.h"
 #include "year/page_parts.h"
 #include "year/shade_control.h"
 #include "year/verdict.h"
@@ -20,6 +21,7 @@ struct Page {
     std::string title;  // empty: none
     std::vector<View> views;
     std::vector<Verdict> verdicts;  // of them
+    std::vector<BodyClock> clocks;  // of those whose melanopic light is known
     PageParts parts;
     std::optional<ShadeYear> shades;
     double certainty = .95;

@@ -41,6 +41,24 @@ check 'and hours of a year' '
     vcyear hours.tsv 2> said > five; grep -v mEDI five | diff - <(vcyear plain.tsv 2> said)
     grep -q "^mEDI      136 lx in 2, 250 lx in 2 of 3 hours" five'
 
+check 'shades that close for glare leave the light that they let in, at the eye and at sensors' '
+    { printf "frame\tsky\tstate\tDGP\tDGP.lo\tDGP.hi\tEv\tEv.lo\tEv.hi\tmEDI\tmEDI.lo\tmEDI.hi\n"
+      row() { printf "9\t0621_%s\t%s\t%s\t%s\t%s\t900\t890\t910\t%s\t%s\t%s\n" $1 $2 $3 $3 $3 $4 $5 $6; }
+      row 0930 open .30 400 395 405; row 1030 open .50 900 895 905; row 1130 open .50 900 895 905
+      row 1230 open .30 140 130 150
+      row 0930 shut .20 90 88 92; row 1030 shut .25 200 198 202; row 1130 shut .25 100 98 102
+      row 1230 shut .20 80 78 82; } > shades.tsv
+    vcyear -shades "glare .40" shades.tsv 2> said > lines
+    grep -qx "mEDI      136 lx in 3 (2 to 3), 250 lx in 1 of 4 hours" lines
+    vcyear -report y.html -shades "glare .40" shades.tsv > lines 2> said
+    grep -q "clock.>Daylight for the body clock, .*: 136 lx in 3 (2 to 3), 250 lx in 1 of 4 hours\.<" y.html
+    vcyear -state open shades.tsv 2> said | grep -q "^mEDI      136 lx in 4 (3 to 4), 250 lx in 3 of 4 hours"
+    sed "s/\tEv\t/\tE\t/; s/Ev\.//g; s/^frame/grid\tpoint/; s/^9/desk\t0/" shades.tsv | cut -f 1-4,8- > sensors.tsv
+    vcyear -by shades.tsv -shades "glare .40" sensors.tsv > lines 2> said
+    grep -q "^mEDI      136 lx in 75.0 % .*; 250 lx in 25.0 % " lines'
+check 'where a state has no melanopic light they may be either' '
+    awk -F "\t" -v OFS="\t" "/shut/ { \$10 = \$11 = \$12 = \"nan\" } 1" shades.tsv > without
+    vcyear -shades "glare .40" without 2> said | grep -q "^mEDI      136 lx in 2 (1 to 4), 250 lx in 1 (1 to 3)"'
 check 'lights without a picture: the ratios of CIE S 026' '
     printf "nm,value\n380,1\n780,1\n" > equal.csv; vcmetrics -spectrum F12 -spectrum D65 -spectrum equal.csv > rows
     head -1 rows | grep -qx "light.mDER.rhDER.scDER.mcDER.lcDER"

@@ -47,18 +47,25 @@ std::string answer_of_views(const Options& opt, const Counted& c) {
     const double alpha = 1 - opt.percent / 100;
     if (opt.months) return months(opt, views, alpha);
     std::vector<year::Verdict> verdicts;
-    for (const year::View& v : views) verdicts.push_back(year::judge(v, alpha));
+    std::vector<year::BodyClock> clocks;
+    for (const year::View& v : views) {
+        verdicts.push_back(year::judge(v, alpha));
+        if (auto clock = year::judge_body_clock(c.tables, v.name, opt.goals.autonomy_share, alpha))
+            clocks.push_back(*clock);
+    }
     if (!opt.plot.empty()) year::write_plot(opt.plot, views, alpha, c.shades ? &*c.shades : nullptr);
     if (!opt.honeybee.empty()) year::write_honeybee(opt.honeybee, views);
-    if (!opt.report.empty()) image::write_bytes(opt.report, year::page_text(page_of(opt, c, verdicts)));
+    if (!opt.report.empty()) image::write_bytes(opt.report, year::page_text(page_of(opt, c, verdicts, clocks)));
     if (opt.next) return year::need_lines(views, verdicts, alpha);
     if (opt.worst > 0) return year::worst_lines(views, size_t(opt.worst), opt.command);
     std::vector<report::Line> lines;
     for (const year::Verdict& v : verdicts) lines.push_back(year::line_of(v)), year::add_shades(lines.back(), c.groups);
     std::string light;
-    for (size_t k = 0; k < views.size(); ++k)
-        if (const auto clock = year::judge_body_clock(c.tables, views[k].name, opt.goals.autonomy_share, alpha))
-            year::add_view(lines[k], *clock), light += year::line_of_view(*clock);
+    for (const year::BodyClock& clock : clocks) {
+        light += year::line_of_view(clock);
+        for (size_t k = 0; k < views.size(); ++k)
+            if (views[k].name == clock.name) year::add_view(lines[k], clock);
+    }
     if (opt.format) return report::table(lines, *opt.format);
     size_t to_come = 0;
     for (const year::View& v : views) to_come += v.to_come;

@@ -40,9 +40,10 @@ year::PageParts parts_of(const Options& o) {
 
 }  // namespace
 
-year::Page page_of(const Options& o, const Counted& c, const std::vector<year::Verdict>& verdicts) {
+year::Page page_of(const Options& o, const Counted& c, const std::vector<year::Verdict>& verdicts,
+                   const std::vector<year::BodyClock>& clocks) {
     year::Page page;
-    page.title = o.title, page.views = c.tables.views, page.verdicts = verdicts;
+    page.title = o.title, page.views = c.tables.views, page.verdicts = verdicts, page.clocks = clocks;
     page.parts = parts_of(o), page.shades = c.shades;
     page.certainty = o.percent / 100;
     page.command = o.command;

@@ -6,4 +6,5 @@
 #include "shaded.h"
 #include "year/page.h"
 
-year::Page page_of(const Options& options, const Counted& counted, const std::vector<year::Verdict>& verdicts);
+year::Page page_of(const Options& options, const Counted& counted, const std::vector<year::Verdict>& verdicts,
+                   const std::vector<year::BodyClock>& clocks);

@@ -55,6 +55,15 @@ std::vector<year::ShadeRule> rules_of(const Options& o) {
     return year::parse_shade_rules(fmt::format("glare {:g}", o.close_dgp), "-close");
 }
 
+// mEDI of sensors and of views, which are single sensors there; none where a state lacks it.
+std::vector<year::Grid> edi_with_shades(std::vector<year::Grid> open, States states, const year::ShadeYear& shades) {
+    for (year::StateTables& s : states) {
+        if (s.tables.edi.size() != open.size()) return {};
+        s.tables.grids = s.tables.edi;
+    }
+    return open.empty() ? open : year::with_shades(std::move(open), year::ShadeStates(std::move(states)), shades);
+}
+
 }  // namespace
 
 Counted read_counted(const Options& o) {
@@ -81,7 +90,7 @@ Counted read_counted(const Options& o) {
     c.shades = year::control(counted, sources, rules_of(o));
     c.groups = year::group_years(*c.shades);
     c.tables = counted.open();
-    c.tables.edi.clear();  // of one state alone
+    c.tables.edi = edi_with_shades(std::move(c.tables.edi), counted.all(), *c.shades);
     c.tables.views = year::with_shades(std::move(c.tables.views), counted, *c.shades);
     c.tables.grids = year::with_shades(std::move(c.tables.grids), counted, *c.shades);
     if (direct) c.direct = direct->open().grids;
