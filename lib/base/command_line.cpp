@@ -19,6 +19,7 @@
 #include "base/find_file.h"
 #include "base/options.h"
 #include "base/printable.h"
+#include "base/process.h"
 #include "base/run.h"
 #include "base/split.h"
 #include "base/text_file.h"
@@ -124,8 +125,10 @@ bool OptionTable::read(ArgCursor& words) {
 }
 
 std::optional<std::vector<std::string>> OptionTable::parse(int argc, char** argv) {
-    ArgCursor words{{argv + std::min(argc, 1), argv + argc}, {"", nullptr, &files_read_}};
-    std::vector<std::string> operands;
+    std::vector<std::string> operands, typed = typed_words(argc, argv);
+    const std::string program = typed.empty() ? tool_ : typed[0];
+    typed.erase(typed.begin(), typed.begin() + std::min(argc, 1));
+    ArgCursor words{typed, {"", nullptr, &files_read_}};
     bool operands_only = false;  // after "--"
 
     while (operands_only ? words.left() > 0 : words.more()) {
@@ -142,7 +145,7 @@ std::optional<std::vector<std::string>> OptionTable::parse(int argc, char** argv
         }
         if (answered_) return std::nullopt;
     }
-    words.words.insert(words.words.begin(), argc > 0 ? argv[0] : tool_);
+    words.words.insert(words.words.begin(), program);
     command_ = command_line(words.words);
     return operands;
 }

@@ -2,12 +2,14 @@
 // See descriptor.h.
 #include "base/descriptor.h"
 
+#include <fcntl.h>
 #include <poll.h>
 #include <sys/uio.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdio>
 
 namespace base {
 namespace {
@@ -23,6 +25,27 @@ bool again(int fd, short event) {
 
 }  // namespace
 
+int open_to_read(const std::string& path, bool waits) {
+    return open(path.c_str(), O_RDONLY | O_CLOEXEC | (waits ? 0 : O_NONBLOCK | O_NOCTTY));
+}
+
+int open_nameless(const std::string& text) {
+    FILE* file = std::tmpfile();
+    if (!file) return -1;
+    const bool written = std::fwrite(text.data(), 1, text.size(), file) == text.size() && std::fflush(file) == 0;
+    std::rewind(file);
+    const int fd = written ? fcntl(fileno(file), F_DUPFD_CLOEXEC, 0) : -1, code = errno;
+    std::fclose(file);
+    errno = code;
+    return fd;
+}
+
+void close_descriptor(int fd) {
+    const int code = errno;
+    close(fd);
+    errno = code;
+}
+
 ssize_t read_some(int fd, void* data, size_t bytes) {
     for (;;) {
         errno = 0;
@@ -30,6 +53,16 @@ ssize_t read_some(int fd, void* data, size_t bytes) {
         if (n >= 0 || !again(fd, POLLIN)) return n;
     }
 }
+
+ssize_t read_at(int fd, void* data, size_t bytes, uint64_t place) {
+    for (;;) {
+        errno = 0;
+        const ssize_t n = ::pread(fd, data, bytes, off_t(place));
+        if (n >= 0 || errno != EINTR) return n;
+    }
+}
+
+uint64_t place_in(int fd) { return uint64_t(lseek(fd, 0, SEEK_CUR)); }
 
 bool write_all(int fd, const void* data, size_t bytes, const void* more, size_t more_bytes) {
     struct iovec parts[2] = {{const_cast<void*>(data), bytes}, {const_cast<void*>(more), more_bytes}};
@@ -49,6 +82,28 @@ bool write_all(int fd, const void* data, size_t bytes, const void* more, size_t 
         }
     }
     return true;
+}
+
+bool is_terminal(int fd) { return isatty(fd); }
+
+void widen_pipe(int fd) {
+#ifdef F_SETPIPE_SZ
+    fcntl(fd, F_SETPIPE_SZ, 1 << 20);
+#else
+    (void)fd;
+#endif
+}
+
+bool has_no_reader(int pipe) {
+    struct pollfd out = {pipe, 0, 0};
+    return poll(&out, 1, 0) > 0 && (out.revents & POLLERR);
+}
+
+void lead_nowhere(int fd) {
+    const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
+    if (nowhere < 0) return;
+    dup2(nowhere, fd);
+    close(nowhere);
 }
 
 }  // namespace base

@@ -2,8 +2,6 @@
 // See files_read.h.
 #include "base/files_read.h"
 
-#include <sys/stat.h>
-
 #include <algorithm>
 #include <functional>
 
@@ -38,15 +36,12 @@ std::string quoted(const std::string& path) {
     return out;
 }
 
-// Gets the status of a regular file; false: there is none.
-bool get_status(const std::string& path, struct stat& info) {
-    return (path == "-" ? fstat(0, &info) : stat(path.c_str(), &info)) == 0 && S_ISREG(info.st_mode);
-}
+FileStatus status_of_input(const std::string& path) { return path == "-" ? status_of(0) : status_of(path); }
 
-bool any_is(const std::vector<std::string>& paths, const struct stat& file) {
+bool any_is(const std::vector<std::string>& paths, const FileStatus& file) {
     return std::any_of(paths.begin(), paths.end(), [&](const std::string& path) {
-        struct stat info;
-        return get_status(path, info) && info.st_dev == file.st_dev && info.st_ino == file.st_ino;
+        const FileStatus status = status_of_input(path);
+        return status.is_ordinary() && status.is_same_file(file);
     });
 }
 
@@ -54,8 +49,8 @@ bool any_is(const std::vector<std::string>& paths, const struct stat& file) {
 
 void refuse_to_overwrite(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs) {
     for (const std::string& output : outputs) {
-        struct stat there;
-        if (get_status(output, there) && any_is(inputs, there))
+        const FileStatus there = status_of_input(output);
+        if (there.is_ordinary() && any_is(inputs, there))
             fail(output, "is an input as well, which would be replaced: write to another file");
     }
 }

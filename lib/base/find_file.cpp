@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Search beside the file that names another one, and along RAYPATH.
 #include "base/find_file.h"
-#include <sys/stat.h>
-#include <unistd.h>
 #include <algorithm>
 #include <cstdlib>
 #include "base/error.h"
+#include "base/file_status.h"
 #include "base/same_content.h"
 #include "base/printable.h"
 #include "base/split.h"
@@ -35,8 +34,7 @@ void search_beside(const std::vector<std::string>& files, ReadOptions& options) 
 }
 
 static bool readable(const std::string& path, const ReadOptions& options) {
-    struct stat s;
-    const bool good = stat(path.c_str(), &s) == 0 && S_ISREG(s.st_mode) && access(path.c_str(), R_OK) == 0;
+    const bool good = status_of(path).is_ordinary() && may_read(path);
     if (!good) note_file_missed(*options.read, path);
     return good;
 }
@@ -118,7 +116,7 @@ std::string find_file(const std::string& name, const ReadOptions& options, const
 }
 
 std::string beside(const std::string& name, const std::string& place) {
-    const auto there = [](const std::string& path) { return access(path.c_str(), F_OK) == 0 ? path : ""; };
+    const auto there = [](const std::string& path) { return status_of(path).kind != FileKind::none ? path : ""; };
     for (const std::string& spelt : {name, with_slashes(name)}) {
         const std::string path = first_of(there(in_folder_of(place, spelt)), there(spelt), name, place);
         if (!path.empty()) return path;

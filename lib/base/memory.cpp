@@ -2,7 +2,11 @@
 // See memory.h.
 #include "base/memory.h"
 
+#ifdef _WIN32
+#include <windows.h>
+#else
 #include <unistd.h>
+#endif
 
 #if defined(__GLIBC__)
 #include <malloc.h>
@@ -11,8 +15,14 @@
 namespace base {
 
 uint64_t machine_memory() {
+#ifdef _WIN32
+    MEMORYSTATUSEX memory = {};
+    memory.dwLength = sizeof memory;
+    return GlobalMemoryStatusEx(&memory) ? memory.ullTotalPhys : 0;
+#else
     const long pages = sysconf(_SC_PHYS_PAGES), page = sysconf(_SC_PAGESIZE);
     return pages > 0 && page > 0 ? uint64_t(pages) * uint64_t(page) : 0;
+#endif
 }
 
 void keep_freed_memory() {

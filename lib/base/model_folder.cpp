@@ -20,7 +20,7 @@ std::vector<std::string> files_in(const std::string& folder, const std::string& 
     std::error_code absent;
     for (const auto& entry : fs::directory_iterator(folder, absent))
         if (ends_with(entry.path().filename().string(), ending) && !entry.is_directory())
-            found.push_back(entry.path().string());
+            found.push_back(entry.path().generic_string());
     std::sort(found.begin(), found.end());
     return found;
 }
@@ -51,7 +51,7 @@ std::vector<std::string> open_folders(const std::vector<std::string>& files, Rea
         }
         const std::vector<std::string> parts = honeybee_files(file);
         if (parts.empty()) {
-            const std::string inner = (fs::path(file) / "model").string();
+            const std::string inner = (fs::path(file) / "model").generic_string();
             const std::string hint = honeybee_files(inner).empty() ? "" : "; " + inner + " is one";
             fail(file, "is a folder, but no model of Honeybee: it has no scene/*.rad and no aperture/*.rad" + hint);
         }

@@ -2,14 +2,11 @@
 // See open_file.h.
 #include "base/open_file.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <cerrno>
 #include <filesystem>
 #include <system_error>
 
+#include "base/descriptor.h"
 #include "base/error.h"
 #include "base/printable.h"
 #include "base/split.h"
@@ -36,14 +33,14 @@ bool lies_in_kernels_folders(const std::string& path) {
     fail(who, "\"" + excerpt(path) + "\" is not an ordinary file");
 }
 
-bool same_file(const struct stat& a, const struct stat& b) { return a.st_dev == b.st_dev && a.st_ino == b.st_ino; }
+bool may_be_named(FileKind kind) { return kind == FileKind::ordinary || kind == FileKind::folder; }
 
 }  // namespace
 
 void require_ordinary_file(const std::string& path, const std::string& who) {
-    struct stat info;
-    if (stat(path.c_str(), &info) != 0) return;  // the function that opens it reports this
-    if ((!S_ISREG(info.st_mode) && !S_ISDIR(info.st_mode)) || lies_in_kernels_folders(path)) refuse(path, who);
+    const FileKind kind = status_of(path).kind;
+    if (kind == FileKind::none) return;  // the function that opens it reports this
+    if (!may_be_named(kind) || lies_in_kernels_folders(path)) refuse(path, who);
 }
 
 int open_file(const std::string& path, const Opener& by) {
@@ -51,24 +48,24 @@ int open_file(const std::string& path, const Opener& by) {
     if (by.files) note_file_read(*by.files, path, by.overlays ? *by.overlays : Overlays{});
     const bool users = asked_by.empty();
     if (!users) require_ordinary_file(path, asked_by);
-    struct stat out = {}, info = {};
-    const bool writes_file = fstat(1, &out) == 0 && S_ISREG(out.st_mode);
+    const FileStatus out = status_of(1);
     int fd;
     {
         const EndsSoon opening;  // a FIFO waits for its writer
         errno = 0;
-        fd = open(path.c_str(), O_RDONLY | O_CLOEXEC | (users ? 0 : O_NONBLOCK | O_NOCTTY));
+        fd = open_to_read(path, users);
     }
     if (fd < 0 && users) fail_system(path, "cannot be read");
     if (fd < 0) fail_system(asked_by, "cannot open \"" + excerpt(path) + "\"");
-    const bool known = fstat(fd, &info) == 0;
+    const FileStatus info = status_of(fd);
+    const bool known = info.kind != FileKind::none;
     const auto close_and = [&](auto refusal) {
-        close(fd);
+        close_descriptor(fd);
         refusal();
     };
-    if (!users && known && !S_ISREG(info.st_mode) && !S_ISDIR(info.st_mode))  // exchanged since it was looked at
+    if (!users && known && !may_be_named(info.kind))  // exchanged since it was looked at
         close_and([&] { refuse(path, asked_by); });
-    if (known && writes_file && same_file(info, out))
+    if (known && out.is_ordinary() && info.is_same_file(out))
         close_and([&] { fail(users ? path : asked_by, "is the file that the standard output goes to"); });
     return by.overlays ? overlaid(fd, *by.overlays) : fd;
 }

@@ -2,35 +2,14 @@
 // See overlay.h.
 #include "base/overlay.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cerrno>
-#include <cstdio>
 #include <utility>
 
+#include "base/descriptor.h"
 #include "base/error.h"
 
 namespace base {
-namespace {
-
-// Opens a nameless temporary file with this text, at its beginning.
-int descriptor_of(const std::string& text) {
-    errno = 0;
-    FILE* file = std::tmpfile();
-    if (!file) fail_system("overlay", "no temporary file can be made");
-    const bool written = std::fwrite(text.data(), 1, text.size(), file) == text.size() && std::fflush(file) == 0;
-    std::rewind(file);
-    const int fd = written ? fcntl(fileno(file), F_DUPFD_CLOEXEC, 0) : -1;
-    const int code = errno;
-    std::fclose(file);
-    errno = code;
-    if (fd < 0) fail_system("overlay", "the temporary file cannot be written");
-    return fd;
-}
-
-}  // namespace
 
 Overlays without_overlay(Overlays overlays, const std::string& path) {
     const FileStamp file = stamp_of(path);
@@ -41,12 +20,12 @@ Overlays without_overlay(Overlays overlays, const std::string& path) {
 
 Overlays with_overlay(Overlays overlays, const std::string& path, std::string text) {
     errno = 0;
-    struct stat s = {};
-    if (stat(path.c_str(), &s) != 0) fail_system(path, "cannot be overlaid");
+    const FileStatus file = status_of(path);
+    if (file.kind == FileKind::none) fail_system(path, "cannot be overlaid");
     errno = 0;
-    if (!S_ISREG(s.st_mode)) fail_system(path, "is not an ordinary file: no text can replace it");
+    if (!file.is_ordinary()) fail_system(path, "is not an ordinary file: no text can replace it");
     overlays = without_overlay(std::move(overlays), path);
-    overlays.push_back({path, stamp_of(s), std::make_shared<const std::string>(std::move(text))});
+    overlays.push_back({path, file.stamp, std::make_shared<const std::string>(std::move(text))});
     return overlays;
 }
 
@@ -57,12 +36,13 @@ std::shared_ptr<const std::string> overlay_of(const Overlays& overlays, const Fi
 }
 
 int overlaid(int descriptor, const Overlays& overlays) {
-    struct stat s = {};
-    if (overlays.empty() || fstat(descriptor, &s) != 0) return descriptor;
-    const auto text = overlay_of(overlays, stamp_of(s));
+    const auto text = overlays.empty() ? nullptr : overlay_of(overlays, status_of(descriptor).stamp);
     if (!text) return descriptor;
-    close(descriptor);
-    return descriptor_of(*text);
+    close_descriptor(descriptor);
+    errno = 0;
+    const int nameless = open_nameless(*text);
+    if (nameless < 0) fail_system("overlay", "a temporary file cannot be made and written");
+    return nameless;
 }
 
 }  // namespace base

@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 #include <vector>
-#include "base/file_stamp.h"
+#include "base/file_status.h"
 
 namespace base {
 

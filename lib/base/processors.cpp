@@ -4,7 +4,9 @@
 #include "base/processors.h"
 
 #include <fmt/core.h>
+#ifdef __linux__
 #include <sched.h>
+#endif
 
 #include <algorithm>
 #include <cmath>

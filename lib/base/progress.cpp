@@ -2,15 +2,15 @@
 // See progress.h.
 #include "base/progress.h"
 
-#include <unistd.h>
-
 #include <cstdio>
+
+#include "base/descriptor.h"
 
 namespace base {
 
 using Clock = std::chrono::steady_clock;
 
-Progress::Progress(std::string tool) : tool_(std::move(tool)), shown_(isatty(2)), next_(Clock::now()) {}
+Progress::Progress(std::string tool) : tool_(std::move(tool)), shown_(is_terminal(2)), next_(Clock::now()) {}
 Progress::~Progress() { clear(); }
 
 bool Progress::due() const { return shown_ && Clock::now() >= next_; }

@@ -1,16 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The frame of every main(): one place that catches, the exit status, signals, stdout that may close.
-// A signal must not leave half-written files or running commands behind: the handler (async-signal-safe calls only)
-// removes the first and ends the others before it leaves with status 3.
 #include "base/run.h"
-
-#include <fcntl.h>
-#include <poll.h>
-#include <pthread.h>
-#include <signal.h>
-#include <sys/resource.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
@@ -19,11 +9,11 @@
 #include "base/descriptor.h"
 #include "base/error.h"
 #include "base/failed_before.h"
+#include "base/file_status.h"
 #include "base/memory.h"
 #include "base/printable.h"
-#include "base/shell.h"
+#include "base/process.h"
 #include "base/shutdown.h"
-#include "base/tempfile.h"
 #include "base/warnings.h"
 
 namespace base {
@@ -43,28 +33,6 @@ void write_now(const void* data, size_t bytes) {
     fail_system("stdout", "cannot be written");
 }
 
-void on_signal(int) {
-    end_shell();
-    if (take_shutdown_request()) return;
-    remove_temp_files();
-    _exit(3);
-}
-
-}  // namespace
-
-void handle_signals() {
-    struct sigaction act = {};
-    act.sa_handler = on_signal;
-    act.sa_flags = SA_RESTART;  // a program that finishes its frame reads and writes on
-    for (int s : {SIGINT, SIGTERM, SIGHUP, SIGALRM}) {
-        struct sigaction old = {};
-        sigaction(s, nullptr, &old);
-        if (old.sa_handler != SIG_IGN) sigaction(s, &act, nullptr);  // nohup stays nohup
-    }
-}
-
-namespace {
-
 void say(const char* tool, const std::string& text) { base::say(std::string(tool) + ": " + printable(text)); }
 
 void say_counted_warnings(const char* tool, bool loud) {
@@ -74,14 +42,9 @@ void say_counted_warnings(const char* tool, bool loud) {
 
 bool marks_failure = false;
 
-bool stdout_is_pipe() {
-    struct stat info = {};
-    return fstat(1, &info) == 0 && S_ISFIFO(info.st_mode);
-}
-
 // In place of a further picture.
 void write_mark() {
-    if (!marks_failure || !stdout_is_pipe()) return;
+    if (!marks_failure || status_of(1).kind != FileKind::pipe) return;
     constexpr char mark[] = "#?RADIANCE\nFAILED=\n\n";
     try {
         write_stdout(mark, sizeof mark - 1);
@@ -115,27 +78,6 @@ int run_caught(const char* tool, const std::function<int()>& body) {
     }
 }
 
-// The stack that the limits of our readers need (expressions nested a thousand deep): the usual default of systems.
-constexpr size_t enough_stack = size_t(8) << 20;
-
-void* call(void* body) {
-    (*static_cast<const std::function<void()>*>(body))();
-    return nullptr;
-}
-
-// Calls body here, or, where `ulimit -s` leaves less stack, in a thread with a stack of its own.  It must not throw.
-void with_enough_stack(const std::function<void()>& body) {
-    struct rlimit limit = {};
-    if (getrlimit(RLIMIT_STACK, &limit) != 0 || limit.rlim_cur >= enough_stack) return body();
-    pthread_attr_t attributes;
-    pthread_attr_init(&attributes);
-    pthread_attr_setstacksize(&attributes, enough_stack);
-    pthread_t thread;
-    const bool started = pthread_create(&thread, &attributes, call, const_cast<std::function<void()>*>(&body)) == 0;
-    pthread_attr_destroy(&attributes);
-    if (started) pthread_join(thread, nullptr);
-    else body();
-}
 }  // namespace
 
 void mark_failure() { marks_failure = true; }
@@ -143,8 +85,7 @@ void mark_failure() { marks_failure = true; }
 int run(const char* tool, const std::function<int()>& body) {
     keep_freed_memory();
     handle_signals();
-    signal(SIGPIPE, SIG_IGN);  // a closed reader is an EPIPE, handled where it happens
-    signal(SIGXFSZ, SIG_IGN);  // a file that may not grow further is an EFBIG
+    ready_standard_files();
     set_warning_sink([tool](const std::string& text) { say(tool, "warning: " + text); });
     int status = 2;
     with_enough_stack([&] { status = run_caught(tool, body); });
@@ -158,32 +99,21 @@ void write_stdout(const void* data, size_t bytes) {
     pending.append(static_cast<const char*>(data), bytes);
 }
 
-bool stdout_is_terminal() { return isatty(1); }
+bool stdout_is_terminal() { return is_terminal(1); }
 
-bool stdin_is_terminal() { return isatty(0); }
+bool stdin_is_terminal() { return is_terminal(0); }
 
-void say(const std::string& text) { std::fprintf(stderr, "%s%s\n", isatty(2) ? "\r\033[K" : "", text.c_str()); }
+void say(const std::string& text) { std::fprintf(stderr, "%s%s\n", is_terminal(2) ? "\r\033[K" : "", text.c_str()); }
 
 void say_on_terminal(const std::string& text) {
-    if (isatty(2)) say(text);
+    if (is_terminal(2)) say(text);
 }
 
-bool stdout_is_file() {
-    struct stat info = {};
-    return fstat(1, &info) == 0 && S_ISREG(info.st_mode);
-}
+bool stdout_is_file() { return status_of(1).is_ordinary(); }
 
-void leave_stdout() {
-    const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
-    if (nowhere < 0) return;
-    dup2(nowhere, 1);
-    close(nowhere);
-}
+bool stdout_is_closed() { return has_no_reader(1); }
 
-bool stdout_is_closed() {
-    struct pollfd out = {1, 0, 0};
-    return poll(&out, 1, 0) > 0 && (out.revents & POLLERR);
-}
+void leave_stdout() { lead_nowhere(1); }
 
 void flush_stdout() { write_now(nullptr, 0); }
 

@@ -8,7 +8,7 @@
 #include <mutex>
 #include <vector>
 
-#include "base/file_stamp.h"
+#include "base/file_status.h"
 
 namespace base {
 namespace {

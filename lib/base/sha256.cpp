@@ -2,8 +2,6 @@
 // See sha256.h.  FIPS 180-4, sections 4.1.2, 4.2.2 and 6.2, with its names.
 #include "base/sha256.h"
 
-#include <unistd.h>
-
 #include <array>
 #include <cstdint>
 #include <cstdio>
@@ -87,7 +85,7 @@ std::string sha256_of_file(const std::string& path, const Overlays& overlays) {
     char block[1 << 16];
     ssize_t n;
     while ((n = read_some(file, block, sizeof block)) > 0) hash.add(block, size_t(n));
-    close(file);
+    close_descriptor(file);
     if (n < 0) fail_system(path, "cannot be read");
     return hash.text();
 }

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // See shutdown.h.  The handler writes a byte into a pipe that waiting readers watch, so that no signal falls between
 // the look at the flag and the wait.
+// A signal must not leave half-written files or running commands behind: the handler (async-signal-safe calls only)
+// removes the first and ends the others before it leaves with status 3.
 #include "base/shutdown.h"
 
 #include <fcntl.h>
 #include <poll.h>
+#include <signal.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -12,6 +15,8 @@
 
 #include "base/error.h"
 #include "base/run.h"
+#include "base/shell.h"
+#include "base/tempfile.h"
 
 namespace base {
 namespace {
@@ -23,7 +28,39 @@ int reader = -1;               // a descriptor that poll() passes over
 std::atomic<int> end_soon{0};  // how many EndsSoon there are
 constexpr unsigned patience_s = 2;
 
+// The handler asks: true if the program will finish by itself.
+bool take_shutdown_request() {
+    int expected = finish;
+    if (!state.compare_exchange_strong(expected, asked)) return false;
+    if (end_soon > 0) alarm(patience_s);  // SIGALRM is a second signal
+    const int code = errno;
+    const ssize_t written = write(wake[1], "", 1);
+    (void)written;  // one byte fits
+    errno = code;
+    return true;
+}
+
+void on_signal(int) {
+    end_shell();
+    if (take_shutdown_request()) return;
+    remove_temp_files();
+    _exit(3);
+}
+
 }  // namespace
+
+void handle_signals() {
+    signal(SIGPIPE, SIG_IGN);  // a closed reader is an EPIPE, handled where it happens
+    signal(SIGXFSZ, SIG_IGN);  // a file that may not grow further is an EFBIG
+    struct sigaction act = {};
+    act.sa_handler = on_signal;
+    act.sa_flags = SA_RESTART;  // a program that finishes its frame reads and writes on
+    for (int s : {SIGINT, SIGTERM, SIGHUP, SIGALRM}) {
+        struct sigaction old = {};
+        sigaction(s, nullptr, &old);
+        if (old.sa_handler != SIG_IGN) sigaction(s, &act, nullptr);  // nohup stays nohup
+    }
+}
 
 void finish_on_signal() {
     if (wake[0] >= 0) return;
@@ -43,17 +80,6 @@ EndsSoon::EndsSoon() {
 
 EndsSoon::~EndsSoon() {
     if (--end_soon == 0) alarm(0);
-}
-
-bool take_shutdown_request() {
-    int expected = finish;
-    if (!state.compare_exchange_strong(expected, asked)) return false;
-    if (end_soon > 0) alarm(patience_s);  // SIGALRM is a second signal
-    const int code = errno;
-    const ssize_t written = write(wake[1], "", 1);
-    (void)written;  // one byte fits
-    errno = code;
-    return true;
 }
 
 bool wait_for_input(int descriptor) {

@@ -27,7 +27,5 @@ public:
 // run() puts our handler in place by it.  finish_on_signal() does so again, for libraries bring their own (LLVM behind
 // PoCL, which does without SA_RESTART and hands the signal on to the handler before it).
 void handle_signals();
-// The handler asks: true if the program will finish by itself.  Async-signal-safe.
-bool take_shutdown_request();
 
 }  // namespace base

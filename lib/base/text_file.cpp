@@ -2,10 +2,6 @@
 // See text_file.h.
 #include "base/text_file.h"
 
-#include <unistd.h>
-
-#include <cerrno>
-
 #include "base/descriptor.h"
 #include "base/error.h"
 #include "base/split.h"
@@ -18,9 +14,7 @@ std::string read_text_file(const std::string& path, size_t limit, const Opener& 
     char block[1 << 14];
     ssize_t n;
     while ((n = read_some(fd, block, sizeof block)) > 0 && text.size() <= limit) text.append(block, size_t(n));
-    const int code = errno;
-    close(fd);
-    errno = code;
+    close_descriptor(fd);
     if (n < 0) fail_system(path, "cannot be read");
     if (text.size() > limit) fail(path, "is longer than the " + std::to_string(limit) + " bytes such a file may have");
     if (begins_with(text, byte_order_mark)) text.erase(0, byte_order_mark.size());

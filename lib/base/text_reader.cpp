@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Characters, lines and words of scene text.
 #include "base/text_reader.h"
-#include <sys/stat.h>
-#include <unistd.h>
 #include <cerrno>
 #include <utility>
 #include "base/descriptor.h"
@@ -23,15 +21,13 @@ TextReader TextReader::from_file(const std::string& path, const Opener& by) {
     s.close_ = path != "-" || !by.place.empty();  // the standard input is the user's
     s.name_ = s.close_ ? path : "stdin";
     s.fd_ = s.close_ ? open_file(path, by) : 0;
-    struct stat st;
-    if (fstat(s.fd_, &st) == 0) {
-        errno = 0;
-        if (S_ISDIR(st.st_mode))
-            fail_system(by.place.empty() ? path : by.place, "\"" + excerpt(path) + "\" is a directory");
-        s.device = st.st_dev;
-        s.inode = s.close_ ? st.st_ino : 0;
-        if (S_ISREG(st.st_mode)) s.size = uint64_t(st.st_size);
-    }
+    const FileStatus status = status_of(s.fd_);
+    errno = 0;
+    if (status.kind == FileKind::folder)
+        fail_system(by.place.empty() ? path : by.place, "\"" + excerpt(path) + "\" is a directory");
+    s.device = status.stamp.device;
+    s.inode = s.close_ ? status.stamp.inode : 0;
+    if (status.is_ordinary()) s.size = status.stamp.size;
     return s;
 }
 
@@ -60,7 +56,7 @@ TextReader::TextReader(TextReader&& o) noexcept
       line_(o.line_) {}
 
 TextReader::~TextReader() {
-    if (close_ && fd_ >= 0) ::close(fd_);
+    if (close_ && fd_ >= 0) close_descriptor(fd_);
 }
 
 // Fills the whole buffer if it can (pipes give less at a time), so that a header lies in the first one.

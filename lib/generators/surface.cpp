@@ -4,11 +4,11 @@
 // points or m n values at the middles of its cells, s fastest.  Where valid(s,t) is defined, only points with valid > 0
 // exist.  -i: inside out. -s smooths: the texture surf.cal adds (normal of the surface - normal of the polygon),
 // bilinear in two coordinates (u, v) from the four corners of the cell.
-#include <sys/stat.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include "base/error.h"
+#include "base/file_status.h"
 #include "base/find_file.h"
 #include "base/number.h"
 #include "base/printable.h"
@@ -85,9 +85,8 @@ public:
 
 private:
     void read_coordinate(int k, const std::string& word) {
-        struct stat st;
         const std::string path = base::beside(word, call_.place);
-        const bool expression = word == "s" || word == "t" || stat(path.c_str(), &st) != 0 || !S_ISREG(st.st_mode);
+        const bool expression = word == "s" || word == "t" || !base::status_of(path).is_ordinary();
         if (expression) return f_.define(names[k], "s,t", word);
         base::TextReader in = base::TextReader::from_file(path, call_.options.opener(call_.place));
         Data& d = data_[k];

@@ -19,11 +19,10 @@ void add_date(Header& header) {
     if (epoch && !base::parse_integer(epoch, seconds))
         base::fail("SOURCE_DATE_EPOCH", "\"" + base::excerpt(epoch) + "\" is not a whole number of seconds");
     const std::time_t now = epoch ? std::time_t(seconds) : std::time(nullptr);
-    std::tm parts = {};
-    if (!(epoch ? gmtime_r(&now, &parts) : localtime_r(&now, &parts)))
-        base::fail("SOURCE_DATE_EPOCH", std::to_string(seconds) + " is beyond the years of the calendar");
+    const std::tm* const parts = epoch ? std::gmtime(&now) : std::localtime(&now);
+    if (!parts) base::fail("SOURCE_DATE_EPOCH", std::to_string(seconds) + " is beyond the years of the calendar");
     char text[40];
-    std::strftime(text, sizeof text, "CAPDATE= %Y:%m:%d %H:%M:%S", &parts);
+    std::strftime(text, sizeof text, "CAPDATE= %Y:%m:%d %H:%M:%S", parts);
     header.lines.push_back(text);
 }
 

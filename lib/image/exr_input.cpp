@@ -12,13 +12,12 @@
 #include <OpenEXR/ImfStandardAttributes.h>
 #include <OpenEXR/ImfStringAttribute.h>
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <sstream>
 
+#include "base/descriptor.h"
 #include "base/error.h"
+#include "base/file_status.h"
 #include "base/open_file.h"
 #include "image/exr_parts.h"
 #include "image/header.h"
@@ -30,11 +29,10 @@ class DescriptorIn : public Imf::IStream {
 public:
     DescriptorIn(const std::string& path, const base::Opener& by)
         : Imf::IStream(path.c_str()), fd_(base::open_file(path, by)) {}
-    ~DescriptorIn() override { close(fd_); }
+    ~DescriptorIn() override { base::close_descriptor(fd_); }
     bool read(char to[], int n) override {
         for (int done = 0; done < n;) {
-            const ssize_t got = pread(fd_, to + done, size_t(n - done), off_t(at_));
-            if (got < 0 && errno == EINTR) continue;
+            const ssize_t got = base::read_at(fd_, to + done, size_t(n - done), at_);
             if (got < 0) base::fail_system(fileName(), "cannot be read");
             if (got == 0) throw Iex::InputExc("the file ends too early");
             done += int(got), at_ += uint64_t(got);
@@ -44,9 +42,9 @@ public:
     uint64_t tellg() override { return at_; }
     void seekg(uint64_t pos) override { at_ = pos; }
     uint64_t size() const {
-        const off_t end = lseek(fd_, 0, SEEK_END);
-        if (end < 0) base::fail_system(fileName(), "cannot be read");
-        return uint64_t(end);
+        const base::FileStatus info = base::status_of(fd_);
+        if (info.kind == base::FileKind::none) base::fail_system(fileName(), "cannot be read");
+        return info.stamp.size;
     }
 
 private:

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Whole files, their format chosen by the ending of their name.
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
 
 #include "base/error.h"
+#include "base/file_status.h"
 #include "base/split.h"
 #include "base/tempfile.h"
 #include "image/file_format.h"
@@ -38,12 +36,12 @@ void require_writable_ending(const std::string& path, const std::vector<std::str
     all.insert(all.end(), more.begin(), more.end());
     if (std::find(all.begin(), all.end(), ending_of(path)) == all.end())
         base::fail(path, "the ending of the name must be " + one_of(all));
-    struct stat there = {};
-    if (stat(path.c_str(), &there) == 0 && !S_ISREG(there.st_mode)) return;  // a FIFO is written where it is
+    const base::FileKind there = base::status_of(path).kind;
+    if (there != base::FileKind::none && there != base::FileKind::ordinary) return;  // a FIFO is written where it is
     const size_t slash = path.rfind('/');
     const std::string folder = slash == std::string::npos ? "." : path.substr(0, slash + 1);
     errno = 0;
-    if (access(folder.c_str(), W_OK | X_OK) != 0) base::fail_system(path, "cannot be written");
+    if (!base::may_write_in(folder)) base::fail_system(path, "cannot be written");
 }
 
 void write_bytes(const std::string& path, const std::string& bytes) {

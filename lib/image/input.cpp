@@ -2,16 +2,13 @@
 // See input.h.
 #include "image/input.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
 
 #include "base/descriptor.h"
 #include "base/error.h"
+#include "base/file_status.h"
 #include "base/open_file.h"
 #include "base/shutdown.h"
 
@@ -21,22 +18,18 @@ Input::Input(const std::string& path, const base::Opener& by)
     : name_(path), own_(path != "-" || !by.place.empty()), buffer_(1 << 16) {
     if (!own_) name_ = "stdin";
     fd_ = own_ ? base::open_file(path, by) : 0;
-    struct stat info = {};
-    const bool known = fstat(fd_, &info) == 0;
-    if (known && S_ISDIR(info.st_mode)) {
-        if (own_) close(fd_);
+    const base::FileKind kind = base::status_of(fd_).kind;
+    if (kind == base::FileKind::folder) {
+        if (own_) base::close_descriptor(fd_);
         errno = EISDIR;
         base::fail_system(name_, "cannot be read");
     }
-    regular_ = known && S_ISREG(info.st_mode);
-#ifdef F_SETPIPE_SZ
-    if (known && S_ISFIFO(info.st_mode))
-        fcntl(fd_, F_SETPIPE_SZ, 1 << 20);  // fewer switches between the tools; a wish only
-#endif
+    regular_ = kind == base::FileKind::ordinary;
+    if (kind == base::FileKind::pipe) base::widen_pipe(fd_);
 }
 
 Input::~Input() {
-    if (own_) close(fd_);
+    if (own_) base::close_descriptor(fd_);
 }
 
 size_t Input::read_some(void* data, size_t bytes) {
@@ -94,10 +87,10 @@ bool Input::look(void* data, size_t bytes) {
 }
 
 std::optional<uint64_t> Input::remaining() const {
-    struct stat info = {};
-    if (!regular_ || fstat(fd_, &info) != 0) return std::nullopt;
-    const off_t at = lseek(fd_, 0, SEEK_CUR);
-    return (info.st_size > at ? uint64_t(info.st_size - at) : 0) + (have_ - at_);
+    const base::FileStatus info = base::status_of(fd_);
+    if (!regular_ || !info.is_ordinary()) return std::nullopt;
+    const uint64_t size = info.stamp.size, at = base::place_in(fd_);
+    return (size > at ? size - at : 0) + (have_ - at_);
 }
 
 }  // namespace image

@@ -29,7 +29,7 @@ namespace fs = std::filesystem;
 
 // path: from the folder of grids.
 std::string name_of(const fs::path& path) {
-    std::string name = path == "-" ? "points" : (path.parent_path() / path.stem()).string();
+    std::string name = path == "-" ? "points" : (path.parent_path() / path.stem()).generic_string();
     for (char& c : name)
         if (static_cast<unsigned char>(c) <= ' ' || c == 0x7f || c == '/') c = '_';
     return name;
@@ -50,8 +50,8 @@ std::vector<PointFile> files_in(const std::string& folder, base::FilesRead& look
          !unreadable && at != fs::recursive_directory_iterator(); at.increment(unreadable)) {
         const bool hidden = at->path().filename().string()[0] == '.', deeper = at->is_directory(unreadable);
         if (hidden && deeper) at.disable_recursion_pending();
-        else if (deeper) base::note_file_missed(looked_at, at->path().string());
-        else if (!hidden && is_point_file(at->path())) inside.insert(at->path().string());
+        else if (deeper) base::note_file_missed(looked_at, at->path().generic_string());
+        else if (!hidden && is_point_file(at->path())) inside.insert(at->path().generic_string());
     }
     if (unreadable || inside.empty()) base::fail(folder, "is a folder without .pts files");
     std::vector<PointFile> files;

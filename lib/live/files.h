@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 #include "base/error.h"
-#include "base/file_stamp.h"
+#include "base/file_status.h"
 
 namespace live {
 

@@ -2,7 +2,7 @@
 // The files of the plan as they change: those of its points, and the sum of what is rendered there.
 #pragma once
 #include <vector>
-#include "base/file_stamp.h"
+#include "base/file_status.h"
 #include "live/live.h"
 #include "live/sources.h"
 

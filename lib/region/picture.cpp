@@ -3,8 +3,6 @@
 // A mask stretches over the whole picture whatever its size; in set operations a point is in where its mask pixel is
 // at least 1/2, alone a mask keeps its grey.
 #include "region/picture.h"
-#include <sys/stat.h>
-#include <unistd.h>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -12,7 +10,9 @@
 #include <memory>
 #include <fmt/format.h>
 #include <png.h>
+#include "base/descriptor.h"
 #include "base/error.h"
+#include "base/file_status.h"
 #include "base/open_file.h"
 #include "base/split.h"
 #include "image/stream.h"
@@ -87,7 +87,7 @@ auto read_named(Read&& read, const Shape& s) {
 void require_whole_chunks(int fd, uint64_t size, const Shape& s) {
     uint64_t at = 8;
     unsigned char head[8];
-    while (at + 8 <= size && pread(fd, head, 8, off_t(at)) == 8 && std::memcmp(head + 4, "IEND", 4) != 0) {
+    while (at + 8 <= size && base::read_at(fd, head, 8, at) == 8 && std::memcmp(head + 4, "IEND", 4) != 0) {
         at += 8;
         const uint64_t left = size - at;
         const uint64_t asked = 4 + (uint64_t(head[0]) << 24 | head[1] << 16 | head[2] << 8 | head[3]);
@@ -105,10 +105,9 @@ MaskPicture read_png(const Shape& s) {
     const int fd = read_named([&](const std::string& path) { return base::open_file(path, s.place); }, s);
     const std::unique_ptr<FILE, int (*)(FILE*)> file(fdopen(fd, "rb"), std::fclose);
     if (!file) base::fail_system(s.place, fmt::format("mask {}: cannot be read", s.text));
-    struct stat info = {};
-    if (fstat(fd, &info) != 0 || !S_ISREG(info.st_mode))
-        base::fail(s.place, fmt::format("mask {} is a folder", s.text));
-    require_whole_chunks(fd, uint64_t(info.st_size), s);
+    const base::FileStatus info = base::status_of(fd);
+    if (!info.is_ordinary()) base::fail(s.place, fmt::format("mask {} is a folder", s.text));
+    require_whole_chunks(fd, info.stamp.size, s);
     if (!png_image_begin_read_from_stdio(&png, file.get()))
         base::fail(s.place, fmt::format("mask {}: {}", s.text, png.message));
     if (uint64_t(png.width) * png.height > (1u << 28)) {
@@ -116,7 +115,7 @@ MaskPicture read_png(const Shape& s) {
         base::fail(s.place, fmt::format("mask {}: {} x {} pixels are too many", s.text, png.width, png.height));
     }
     // deflate makes at most 1032 bytes of one, and a pixel is a bit at least
-    if (uint64_t(png.width) * png.height / 8 / 1032 > uint64_t(info.st_size)) {
+    if (uint64_t(png.width) * png.height / 8 / 1032 > info.stamp.size) {
         png_image_free(&png);
         base::fail(s.place, fmt::format("mask {} is too short for its {} x {} pixels", s.text, png.width, png.height));
     }

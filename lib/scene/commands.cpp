@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // "!commands" of scene text.  A command is a pipe of stages; xform stages act on what comes out of the stage before
 // them, generators write text, anything else needs -exec.
-#include <unistd.h>
 #include <algorithm>
+#include "base/descriptor.h"
 #include "base/error.h"
+#include "base/file_status.h"
 #include "base/find_file.h"
 #include "base/printable.h"
 #include "base/shell.h"
@@ -19,9 +20,9 @@ constexpr size_t definitions_limit = size_t(1) << 26;  // of an xform -f file
 bool ends_line(const std::string& path, const base::Opener& by) {
     const int fd = base::open_file(path, by);
     char last = '\n';  // also of an empty file, and of one that cannot be read, which its reader reports
-    const off_t size = lseek(fd, 0, SEEK_END);
-    if (size > 0 && pread(fd, &last, 1, size - 1) != 1) last = '\n';
-    close(fd);
+    const uint64_t size = base::status_of(fd).stamp.size;
+    if (size > 0 && base::read_at(fd, &last, 1, size - 1) != 1) last = '\n';
+    base::close_descriptor(fd);
     return last == '\n';
 }
 }  // namespace

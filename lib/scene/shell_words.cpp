@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Words of a command line.
 #include "scene/shell_words.h"
-#include <glob.h>
 #include <cctype>
 #include "base/error.h"
+#include "base/file_status.h"
 
 namespace scene {
 
@@ -11,11 +11,10 @@ namespace {
 
 // An unquoted pattern becomes the files it matches, or stays as it is.
 void add_word(std::vector<std::string>& words, const std::string& word, bool pattern) {
-    glob_t found = {};
-    if (pattern && word.size() < 4096 && glob(word.c_str(), 0, nullptr, &found) == 0)
-        for (size_t i = 0; i < found.gl_pathc; i++) words.emplace_back(found.gl_pathv[i]);
-    else words.push_back(word);
-    globfree(&found);
+    std::vector<std::string> found;
+    if (pattern && word.size() < 4096) found = base::files_like(word);
+    if (found.empty()) found = {word};
+    words.insert(words.end(), found.begin(), found.end());
 }
 
 }  // namespace

@@ -50,8 +50,8 @@ Action of_file(const std::string& path, const base::Opener& by) {
     const Spectrum weight = read_spectrum(path, by);
     if (dot(weight, d65()) <= 0) base::fail(path, "an action of 0 everywhere");
     const double from = quantile(weight, below), to = std::max(from + 1, quantile(weight, 1 - above));
-    return {std::filesystem::path(path).stem(), "W/m2", times(weight, 1 / (most_lumens_per_watt * sum_of_v())), from,
-            to};
+    return {std::filesystem::path(path).stem().string(), "W/m2", times(weight, 1 / (most_lumens_per_watt * sum_of_v())),
+            from, to};
 }
 
 }  // namespace

@@ -50,6 +50,14 @@ upward() {
 
 check 'no library includes one above it' 'upward "$TOP" > hits; cat hits >&2; test ! -s hits'
 
+# The system is asked in lib/base alone, and in what a system without POSIX does not get.
+posix() {
+    local names='unistd|fcntl|signal|poll|spawn|dlfcn|pwd|glob|termios|pthread|(sys|netinet|arpa)/.*'
+    (cd "$1" && grep -rnE "#include <($names)\.h>" lib tools) |
+        grep -vE '^(lib/(base|live|device)|tools/(ptrace|vcview))/'
+}
+check 'no POSIX header outside lib/base, lib/live, lib/device, ptrace and vcview' '! posix "$TOP" >&2'
+
 # Stages are functions of values: what a stage has returned does not change behind a const.
 hidden() { grep -rnE '\bmutable\b|const_cast|void *\*' --include='*.cpp' --include='*.h' --include='*.inl' "$@"; }
 check 'no mutable, const_cast or void* where frames are rendered' '! hidden "$TOP"/lib/render "$TOP"/lib/device >&2'
@@ -64,4 +72,6 @@ check 'docs/architecture.md shows the same table' '
     sort layers | diff page -'
 
 mkdir -p lib/base tools && echo '#include "render/options.h"' > lib/base/x.h
+mkdir -p lib/image && echo '#include <sys/stat.h>' > lib/image/x.h
+check 'a POSIX header is seen' 'posix . | grep -q "^lib/image/x.h:1:"'
 check 'an upward include is seen' 'upward . | grep -qx "lib/base/x.h:1: includes render"'

@@ -2,9 +2,8 @@
 // See output.h.
 #include "output.h"
 
-#include <sys/stat.h>
-
 #include "base/error.h"
+#include "base/file_status.h"
 #include "base/run.h"
 #include "display/file.h"
 #include "image/header.h"
@@ -37,8 +36,7 @@ Output::Output(const Options& options, std::string command) : options_(options),
     if (to_stdout() && base::stdout_is_terminal())
         base::fail("stdout", "is a terminal: pictures go to a pipe, a file or -o file");
     if (to_stdout()) return;
-    struct stat info = {};
-    leaves_a_pipe_ = fstat(1, &info) == 0 && S_ISFIFO(info.st_mode);
+    leaves_a_pipe_ = base::status_of(1).kind == base::FileKind::pipe;
     base::leave_stdout();
 }
 

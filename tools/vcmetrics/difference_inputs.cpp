@@ -2,14 +2,13 @@
 // Reads both inputs, records or pictures, and prints a line for each metric (difference_inputs.h).
 #include "difference_inputs.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 #include <sstream>
 
 #include "base/edit_distance.h"
 #include "base/error.h"
+#include "base/file_status.h"
 #include "base/run.h"
 #include "base/split.h"
 #include "base/text_file.h"
@@ -35,7 +34,7 @@ struct Side {
 // Rules as typed, or the lines of a file (# begins a comment).
 std::vector<Tolerance> rules_of(const std::string& text) {
     if (text == "default") return {};
-    if (access(text.c_str(), F_OK) != 0) return parse_tolerances(text, "-tolerance");
+    if (base::status_of(text).kind == base::FileKind::none) return parse_tolerances(text, "-tolerance");
     std::istringstream in(base::read_text_file(text));
     std::vector<Tolerance> out;
     int number = 0;

@@ -3,13 +3,12 @@
 #include "options.h"
 
 #include <fmt/core.h>
-#include <glob.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <fstream>
 
 #include "base/error.h"
+#include "base/file_status.h"
 #include "base/files_read.h"
 #include "base/run.h"
 #include "base/text_file.h"
@@ -23,12 +22,11 @@ namespace {
 void expand_globs(std::vector<std::string>& files) {
     std::vector<std::string> out;
     for (const std::string& f : files) {
-        glob_t found = {};
-        if (f.find_first_of("*?[") != std::string::npos && access(f.c_str(), F_OK) != 0 &&
-            glob(f.c_str(), 0, nullptr, &found) == 0)
-            out.insert(out.end(), found.gl_pathv, found.gl_pathv + found.gl_pathc);
-        else out.push_back(f);
-        globfree(&found);
+        std::vector<std::string> found;
+        if (f.find_first_of("*?[") != std::string::npos && base::status_of(f).kind == base::FileKind::none)
+            found = base::files_like(f);
+        if (found.empty()) found = {f};
+        out.insert(out.end(), found.begin(), found.end());
     }
     files.swap(out);
 }
@@ -96,7 +94,7 @@ void check(const Options& o) {
         if (!o.plan_map.empty() && image::ending_of(o.plan_map) != ".svg")
             base::fail("-plan", "takes a map of vcmetrics -over, an .svg file, and a table of numbers");
         for (const std::string& file : o.scene)
-            if (access(file.c_str(), R_OK) != 0) base::fail_system(file, "cannot be read");
+            if (!base::may_read(file)) base::fail_system(file, "cannot be read");
     } else if (!o.scene.empty() || !o.numbers_file.empty() || !o.overlays.empty() || !o.plan_map.empty()) {
         base::fail("-scene, -numbers, -overlay, -plan", "belong to -report");
     }

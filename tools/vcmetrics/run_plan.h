@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 #include "action_plan.h"
-#include "base/file_stamp.h"
+#include "base/file_status.h"
 #include "glare/columns.h"
 #include "options.h"
 #include "stopping.h"
