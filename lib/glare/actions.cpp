@@ -11,13 +11,22 @@ namespace {
 
 const std::string of_user = "E_";
 
+// "desk.meanV".
+bool is_of_region_by_V(const std::string& name) {
+    for (const char* const number : {".meanV", ".medianV", ".minV", ".maxV"})
+        if (base::ends_with(name, number)) return true;
+    return false;
+}
+
 // Regions, sets of pixels and pairs are not known here: their names have a dot.
 bool may_be_column(const std::string& name) {
     ColumnChoice choice;
     choice.names = {name}, choice.pairs_come = choice.regions_come = true;
     Requirements ignored;
+    if (name.find('.') != std::string::npos) return !is_of_region_by_V(name);
     try {
-        return name.find('.') != std::string::npos || (choose_columns(choice, {}, ignored), true);
+        choose_columns(choice, {}, ignored);
+        return true;
     } catch (const base::Error&) {
         return false;
     }

@@ -27,6 +27,12 @@ check 'a red wall takes melanopic light; the ratio is surer than its parts' '
     ptrace -w- $view -action mel -action V sky.rad grey.rad red.rad | measured -metrics mEDI,mDER > rows
     within mDER .9 .95 < rows
     awk "NR == 2 { exit !((\$8 - \$7)/\$6 < .5*(\$5 - \$4)/\$3) }" rows'
+check 'the luminance of a region by V stands beside the ordinary one' '
+    echo "task circle 0 1 -.5 40" > task.regions
+    ptrace -w- $view -action V sky.rad grey.rad | measured -regions task.regions -metrics task.mean,task.meanV > rows
+    awk "NR == 2 { exit !((\$6/\$3 - 1)^2 < 1e-8 && \$3 > 1) }" rows
+    ptrace -w- $view -action V sky.rad grey.rad | measured -regions task.regions -metrics hall.meanV 2> said || :
+    grep -q "^vcmetrics: -metrics: hall.mean: there is no region \"hall\"; there are task" said'
 check 'sensors have it too' '
     ptrace -w- -points desk.pts -frames 17 -action mel sky.rad grey.rad | ptaccum -every x2/16 |
         vcmetrics -last -ci 95 -metrics mean,mEDI.mean > rows
