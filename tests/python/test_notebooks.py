@@ -3,13 +3,14 @@
 
 import base64
 import json
+import os
 import pathlib
 import re
 
 import luxpipe
 import pytest
 from conftest import SCENE, VIEW
-from luxpipe._programs import run
+from luxpipe._programs import program, run
 from test_year import WEATHER
 
 pytest.importorskip("pandas")
@@ -17,11 +18,12 @@ NOTEBOOKS = sorted((pathlib.Path(__file__).parents[2] / "examples" / "notebooks"
 
 
 def test_there_are_notebooks():
-    assert len(NOTEBOOKS) == 4
+    assert len(NOTEBOOKS) == 5
 
 
 @pytest.mark.parametrize("path", NOTEBOOKS, ids=[path.stem for path in NOTEBOOKS])
-def test_notebook(path, capsys):
+def test_notebook(path, capsys, monkeypatch):
+    monkeypatch.setenv("PATH", str(pathlib.Path(program("vcmetrics")).parent), prepend=os.pathsep)
     cells = json.loads(path.read_text())["cells"]
     names = {}
     for cell in cells:
