@@ -15,6 +15,7 @@ ISPC    = $(if $(and $(LANES),$(findstring ptrace,$(PARTS)),$(if $(findstring LU
     sh scripts/ispc.sh .ispc,:)
 # ARCH=arm64 (a wheel: aarch64): for ARM, on another processor, all by gcc (cmake/arm64.cmake), without ispc.
 ARM     = $(filter arm64 aarch64,$(ARCH))
+FOR     = $(addprefix /,$(ARM))
 FETCH   = $(if $(ARM),sh scripts/arm64.sh build-arm64/root,$(ISPC))
 # Lanes that are built (lib/device): those of this machine, or both in what goes elsewhere and in the tests.
 OWN     = $(if $(shell grep -sw avx512dq /proc/cpuinfo),16,8)
@@ -72,31 +73,31 @@ deb: PARTS += $(strip deb $(ARM))
 deb: ISPC = :
 deb: setup ## a Debian package in out/deb, the same bytes for the same sources; no ispc (ARCH=arm64: for ARM)
 	@JOBS=$(JOBS) FLAGS="$(if $(ARM),,$(KERNELS)) $(FLAGS)" ARCH=$(ARM) \
-	    bash scripts/deb.sh out/deb$(addprefix /,$(ARM))
+	    bash scripts/deb.sh out/deb$(FOR)
 
 test-arm64: PARTS += tests arm64
 test-arm64: ARCH = arm64
-test-arm64: setup ## the programs for ARM, built here; their bits and words under qemu (long)
+test-arm64: setup ## the programs for ARM, built here; their bits and words under qemu, long (ALL=1: all recorded runs)
 	@cmake -S . -B build-arm64 -G Ninja --log-level=WARNING -DCMAKE_TOOLCHAIN_FILE=cmake/arm64.cmake $(UNITY) $(FLAGS)
 	@cmake --build build-arm64 -j $(JOBS) --target tools $$(sh scripts/test_arm64.sh targets)
-	@bash scripts/test_arm64.sh build-arm64
+	@bash scripts/test_arm64.sh build-arm64 $(if $(ALL),all)
 
 test-deb: PARTS += chroot
 test-deb: deb ## packages for Debian 12 and 13, each put into an empty one (debootstrap, as root), the demo run there
-	@bash scripts/try_deb.sh out/deb/luxpipe_*.deb bookworm
-	@JOBS=$(JOBS) FLAGS="$(FLAGS)" bash scripts/deb_for.sh trixie out/deb
-	@bash scripts/try_deb.sh out/deb/for-trixie/luxpipe_*.deb trixie
+	@bash scripts/try_deb.sh out/deb$(FOR)/luxpipe_*.deb bookworm
+	@JOBS=$(JOBS) FLAGS="$(FLAGS)" ARCH=$(ARM) bash scripts/deb_for.sh trixie out/deb$(FOR)
+	@bash scripts/try_deb.sh out/deb$(FOR)/for-trixie/luxpipe_*.deb trixie
 
 wheel: PARTS += $(strip wheel $(ARM:aarch64=arm64))
 wheel: setup ## a Python wheel in out/wheel: the programs and `import luxpipe`; tools come from the package index
 	@JOBS=$(JOBS) FLAGS="$(if $(ARM),,$(KERNELS)) $(FLAGS)" ARCH=$(ARM) \
-	    bash scripts/wheel.sh out/wheel$(addprefix /,$(ARM))
+	    bash scripts/wheel.sh out/wheel$(FOR)
 
 test-wheel: PARTS += chroot
 test-wheel: wheel ## the wheel built again: same bytes; then put into empty Debians 12 and 13 (debootstrap, as root)
-	@JOBS=$(JOBS) FLAGS="$(KERNELS) $(FLAGS)" bash scripts/wheel.sh out/wheel-again
-	@cmp out/wheel/luxpipe-*.whl out/wheel-again/luxpipe-*.whl && echo "built twice: the same bytes"
-	@bash scripts/try_wheel.sh out/wheel/luxpipe-*.whl
+	@JOBS=$(JOBS) FLAGS="$(if $(ARM),,$(KERNELS)) $(FLAGS)" ARCH=$(ARM) bash scripts/wheel.sh out/wheel-again$(FOR)
+	@cmp out/wheel$(FOR)/luxpipe-*.whl out/wheel-again$(FOR)/luxpipe-*.whl && echo "built twice: the same bytes"
+	@bash scripts/try_wheel.sh out/wheel$(FOR)/luxpipe-*.whl
 
 bench: everything ## the speed claims, measured again
 	@bash bench/run.sh "$(BUILD)/bin"
