@@ -99,6 +99,9 @@ test-wheel: wheel ## the wheel built again: same bytes; then put into empty Debi
 	@cmp out/wheel$(FOR)/luxpipe-*.whl out/wheel-again$(FOR)/luxpipe-*.whl && echo "built twice: the same bytes"
 	@bash scripts/try_wheel.sh out/wheel$(FOR)/luxpipe-*.whl
 
+release: ## out/release: sources, packages, wheels, sums, notes of the last commit (TRY=yes: each is tried, too; hours)
+	@JOBS=$(JOBS) TRY=$(TRY) bash scripts/release.sh out/release
+
 bench: everything ## the speed claims, measured again
 	@bash bench/run.sh "$(BUILD)/bin"
 
@@ -159,5 +162,5 @@ setup:
 	@[ "$(SETUP)" = no ] || $(FETCH)
 
 .PHONY: help all everything demo live test test-gpu test-slurm test-deb test-arm64 test-sanitize fuzz deb wheel \
-	test-wheel certificate year opencl-stacks bench coverage coverage-sensors compare-radiance compare-evalglare \
+	test-wheel release certificate year opencl-stacks bench coverage coverage-sensors compare-radiance compare-evalglare \
 	man site format lint install uninstall clean setup
