@@ -138,7 +138,7 @@ def main():
         bands = by_many_bands(ray)
         words, wanted = '-action mel -action V', ['mEDI.mean', 'EvV.mean']
         ours = np.array([ptrace(seed, 33, ray, words, wanted) for seed in range(2, RUNS + 2)]) / bands
-        # Each ray has random numbers of its own; those of a run are the same again.
+        # Each ray has random numbers of its own.
         theirs = rtrace(RAYS * ray, '-co+ -ab 4 -aa 0 -ad 4000 -as 0 -lr 8 -lw 1e-6 -dj 0 -ds .1 -st 0')
         theirs = np.stack([theirs @ m_of / d65_ratio, theirs @ y_of], 1)
         numbers = list(100 * (bands - 1))
