@@ -3,6 +3,7 @@
 #include "spectrum/spectrum.h"
 
 #include <fmt/core.h>
+#include <pugixml.hpp>
 
 #include <algorithm>
 #include <numeric>
@@ -10,6 +11,7 @@
 
 #include "base/error.h"
 #include "base/number.h"
+#include "base/printable.h"
 #include "base/split.h"
 #include "base/text_file.h"
 
@@ -49,8 +51,31 @@ Spectrum of_samples(const std::vector<double>& nm, const std::vector<double>& va
     });
 }
 
+// IES TM-27-14: <IESTM2714><SpectralDistribution><SpectralData wavelength="400">.1</SpectralData> ...
+static Spectrum read_spdx(const std::string& text, const std::string& path) {
+    pugi::xml_document document;
+    const pugi::xml_parse_result read =
+        document.load_buffer(text.data(), text.size(), pugi::parse_default | pugi::parse_trim_pcdata);
+    if (!read) base::fail(path, fmt::format("no XML: {} at byte {}", read.description(), read.offset));
+    std::vector<double> nm, values;
+    for (pugi::xml_node data : document.document_element().child("SpectralDistribution").children("SpectralData")) {
+        const std::string words[2] = {data.attribute("wavelength").value(), data.child_value()};
+        double numbers[2];
+        for (int i = 0; i < 2; i++)
+            if (!base::parse_real(words[i], numbers[i]))
+                base::fail(path,
+                           fmt::format("SpectralData {}: \"{}\" is no number", nm.size() + 1, base::excerpt(words[i])));
+        nm.push_back(numbers[0]);
+        values.push_back(numbers[1]);
+    }
+    return of_samples(nm, values, path);
+}
+
 Spectrum read_spectrum(const std::string& path, const base::Opener& by) {
-    std::istringstream text(base::read_text_file(path, size_t(16) << 20, by));
+    const std::string whole = base::read_text_file(path, size_t(16) << 20, by);
+    const size_t begin = whole.find_first_not_of(" \t\r\n\xef\xbb\xbf");  // behind a byte order mark
+    if (begin != std::string::npos && whole[begin] == '<') return read_spdx(whole, path);
+    std::istringstream text(whole);
     std::vector<double> nm, values;
     std::string line;
     for (int number = 1; std::getline(text, line); number++) {

@@ -20,7 +20,7 @@ Spectrum of_table(const double* values, int step);
 // another order, a negative value, and where none lies between 380 and 780 nm.
 Spectrum of_samples(const std::vector<double>& nm, const std::vector<double>& values, const std::string& place);
 // The same of a file with a wavelength and a value in each line, between blanks, commas, semicolons or tabs; headings,
-// and what stands behind #, are passed over.
+// and what stands behind #, are passed over.  Or of an XML file of IES TM-27 (.spdx).
 Spectrum read_spectrum(const std::string& path, const base::Opener& by);
 
 // Sum of a times b.

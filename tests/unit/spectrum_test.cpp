@@ -216,3 +216,33 @@ TEST_CASE("faults of spectra are told in a line") {
     CHECK(error_text([] { illuminant("3000", "-lamp"); }) == "-lamp: daylight has 4000 to 25000 K, not 3000");
     CHECK(error_text([] { illuminant("F99", "-lamp"); }).substr(0, 40) == "-lamp: \"F99\" is neither a file nor one o");
 }
+
+static std::string spdx(const std::string& description, const std::vector<std::array<std::string, 2>>& values) {
+    std::string text =
+        "\xef\xbb\xbf<?xml version=\"1.0\"?>\n<IESTM2714 xmlns=\"http://www.ies.org/iestm2714\" version=\"1.0\">\n";
+    text += "<Header><Description>" + description + "</Description></Header>\n<SpectralDistribution>\n";
+    for (const auto& [nm, value] : values)
+        text += "<SpectralData wavelength=\"" + nm + "\">" + value + "</SpectralData>\n";
+    return text + "</SpectralDistribution></IESTM2714>\n";
+}
+
+TEST_CASE("a file of IES TM-27 has its two columns in XML") {
+    TempFolder folder;
+    const std::string path = folder.holding("a.spdx", spdx("x", {{"400", ".5"}, {"500.0", "\n1.5e0 "}, {"600", "0"}}));
+    CHECK(read_spectrum(path, {}) == read_spectrum(folder.holding("a.csv", "400 .5\n500 1.5\n600 0\n"), {}));
+}
+
+TEST_CASE("its faults are told in a line") {
+    TempFolder folder;
+    const auto fault = [&](const std::string& text) {
+        const std::string said = error_text([&] { read_spectrum(folder.holding("a.spdx", text), {}); });
+        return said.substr(said.find("a.spdx"));
+    };
+    CHECK(fault(spdx("", {{"400", "1"}, {"500", "-1"}})) == "a.spdx: a spectrum is not negative: -1 at 500 nm");
+    CHECK(fault(spdx("", {{"500", "1"}, {"400", "1"}})) == "a.spdx: wavelengths ascend, but 400 nm follows 500 nm");
+    CHECK(fault(spdx("", {{"400", "1"}})) == "a.spdx: a spectrum needs two values at least");
+    CHECK(fault(spdx("", {{"400", "1"}, {"500", "one"}})) == "a.spdx: SpectralData 2: \"one\" is no number");
+    CHECK(fault(spdx("", {{"", "1"}})) == "a.spdx: SpectralData 1: \"\" is no number");
+    CHECK(fault(spdx("a < b", {{"400", "1"}})).substr(0, 15) == "a.spdx: no XML:");
+    CHECK(fault("<svg/>") == "a.spdx: a spectrum needs two values at least");
+}
