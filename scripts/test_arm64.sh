@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # test_arm64.sh BUILD [all]: the tests of programs for ARM (aarch64) that were built in BUILD on another processor,
 # under qemu: the same bits as everywhere, closed forms, evalglare's recorded runs (each picture and each list of
-# arguments once, or all), shell tests.  An emulator is no machine: speed, the order of threads' memory and the system
-# below are this machine's.  `test_arm64.sh targets` prints what is to be built besides the programs.
+# arguments once, or all), shell tests, some of Python's.  An emulator is no machine: speed, the order of threads'
+# memory and the system below are this machine's.  `test_arm64.sh targets` prints what is built besides the programs.
 set -u
 tests='base_test kernels_math_test kernels_sampler_test image_rgbe_test film_exact_sum_test closed_forms_test'
 [ "$1" != targets ] || { echo "$tests bits_test mkstream"; exit 0; }
@@ -49,8 +49,10 @@ done
 try evalglare_golden bash -c "${CXX:-g++} -std=c++17 -O1 -pthread -DOTHER_PROCESSOR $rows \
     '-DLUXPIPE_TESTS=\"$top/tests\"' '-DVCMETRICS=\"$build/run/vcmetrics\"' \
     '$top/tests/parity/evalglare_golden_test.cpp' -o '$build/run/golden_here' && '$build/run/golden_here'"
-for test in ptaccum_test vcmetrics_test vcregion_test vcyear_test pipeline ptrace_options inputs; do
-    try "$test" env side=24 TOP="$top" BIN="$build/run" bash "$top/tests/tools/$test.sh"
+# small ones: qemu takes 80 times the time
+export side=24 PYTEST_ADDOPTS="-k 'saved_pictures or test_measure or not_converged or pyradiance_names or arrays_need'"
+for test in ptaccum_test vcmetrics_test vcregion_test vcyear_test pipeline ptrace_options inputs python; do
+    try "$test" env TOP="$top" BIN="$build/run" bash "$top/tests/tools/$test.sh"
 done
 try bits "$build/run/bits_test" cpu
 
