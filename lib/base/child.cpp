@@ -4,7 +4,9 @@
 
 #include <fcntl.h>
 #include <signal.h>
+#ifdef __linux__
 #include <sys/prctl.h>
+#endif
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -21,7 +23,10 @@ namespace {
 void become(char* const* argv, const ChildFiles& files, const sigset_t& signals, bool group, pid_t parent) {
     const auto is = [](int fd, int instead, int mode) { dup2(fd < 0 ? open("/dev/null", mode) : fd, instead); };
     if (group) setpgid(0, 0);
-    if (files.ends_with_us && (prctl(PR_SET_PDEATHSIG, SIGTERM) != 0 || getppid() != parent)) return;
+#ifdef __linux__
+    if (files.ends_with_us && prctl(PR_SET_PDEATHSIG, SIGTERM) != 0) return;
+#endif
+    if (files.ends_with_us && getppid() != parent) return;
     is(files.in, 0, O_RDONLY);
     is(files.out, 1, O_WRONLY);
     is(files.errors, 2, O_WRONLY);
@@ -40,7 +45,7 @@ int start_child(const std::vector<std::string>& words, const ChildFiles& files, 
     for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
     argv.push_back(nullptr);
     int failed[2], code = 0;
-    if (pipe2(failed, O_CLOEXEC) != 0) return errno;
+    if (!make_pipe(failed)) return errno;
     sigset_t all, before;
     sigfillset(&all);
     sigprocmask(SIG_BLOCK, &all, &before);

@@ -86,6 +86,16 @@ bool write_all(int fd, const void* data, size_t bytes, const void* more, size_t 
 
 bool is_terminal(int fd) { return isatty(fd); }
 
+bool make_pipe(int ends[2]) {
+#ifdef __linux__
+    return pipe2(ends, O_CLOEXEC) == 0;
+#else
+    if (pipe(ends) != 0) return false;
+    for (int k = 0; k < 2; ++k) fcntl(ends[k], F_SETFD, FD_CLOEXEC);
+    return true;
+#endif
+}
+
 void widen_pipe(int fd) {
 #ifdef F_SETPIPE_SZ
     fcntl(fd, F_SETPIPE_SZ, 1 << 20);

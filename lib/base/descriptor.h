@@ -22,7 +22,8 @@ uint64_t place_in(int fd);                                          // of an ord
 bool write_all(int fd, const void* data, size_t bytes, const void* more = nullptr, size_t more_bytes = 0);
 
 bool is_terminal(int fd);
-void widen_pipe(int fd);  // fewer switches between two programs; a wish only
+bool make_pipe(int ends[2]);  // one to read, one to write; children inherit neither
+void widen_pipe(int fd);      // fewer switches between two programs; a wish only
 bool has_no_reader(int pipe);
 void lead_nowhere(int fd);  // what is written is lost, and the reader of the pipe gets its end at once
 

@@ -2,7 +2,6 @@
 // See shell.h.
 #include "base/shell.h"
 
-#include <fcntl.h>
 #include <signal.h>
 #include <unistd.h>
 
@@ -10,6 +9,7 @@
 #include <cerrno>
 
 #include "base/child.h"
+#include "base/descriptor.h"
 #include "base/error.h"
 #include "base/printable.h"
 
@@ -27,7 +27,7 @@ void end_shell() {
 ShellOutput run_shell(const std::string& command, size_t limit, const std::string& place) {
     const std::string what = "cannot run \"" + excerpt(command) + "\"";
     int ends[2];
-    if (pipe2(ends, O_CLOEXEC) != 0) fail_system(place, what);
+    if (!make_pipe(ends)) fail_system(place, what);
     pid_t child = 0;
     ChildFiles files;
     files.out = ends[1];

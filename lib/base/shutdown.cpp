@@ -5,7 +5,6 @@
 // removes the first and ends the others before it leaves with status 3.
 #include "base/shutdown.h"
 
-#include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
 #include <unistd.h>
@@ -13,6 +12,7 @@
 #include <atomic>
 #include <cerrno>
 
+#include "base/descriptor.h"
 #include "base/error.h"
 #include "base/run.h"
 #include "base/shell.h"
@@ -66,8 +66,7 @@ void finish_on_signal() {
     if (wake[0] >= 0) return;
     handle_signals();
     errno = 0;
-    if (pipe(wake) != 0) fail_system("pipe", "cannot be made");
-    for (const int end : wake) fcntl(end, F_SETFD, FD_CLOEXEC);
+    if (!make_pipe(wake)) fail_system("pipe", "cannot be made");
     state = finish;
 }
 

@@ -40,7 +40,7 @@ constexpr size_t longest = 1 << 20;
 
 std::optional<std::string> ask_in_child(const std::function<std::string()>& question) {
     int ends[2];
-    if (pipe2(ends, O_CLOEXEC) != 0) return std::nullopt;
+    if (!base::make_pipe(ends)) return std::nullopt;
     const pid_t child = fork();
     if (child == 0) answer(question, ends[1]);
     close(ends[1]);

@@ -2,7 +2,6 @@
 // See child.h.
 #include "live/child.h"
 
-#include <fcntl.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -21,7 +20,7 @@ void End::leave() {
 Channel::Channel() {
     int ends[2];
     errno = 0;
-    if (pipe2(ends, O_CLOEXEC) != 0) base::fail_system("pipe", "cannot be made");
+    if (!base::make_pipe(ends)) base::fail_system("pipe", "cannot be made");
     out.fd = ends[0], in.fd = ends[1];
 }
 

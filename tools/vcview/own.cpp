@@ -2,7 +2,6 @@
 // See own.h.
 #include "own.h"
 
-#include <fcntl.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -13,6 +12,7 @@
 #include <fstream>
 #include <memory>
 
+#include "base/descriptor.h"
 #include "base/error.h"
 #include "base/run.h"
 #include "base/shutdown.h"
@@ -24,7 +24,7 @@ using live::Which;
 
 Wake::Wake() {
     errno = 0;
-    if (pipe2(ends_, O_CLOEXEC) != 0) base::fail_system("pipe", "cannot be made");
+    if (!base::make_pipe(ends_)) base::fail_system("pipe", "cannot be made");
 }
 
 void Wake::call() const {
