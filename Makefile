@@ -88,6 +88,16 @@ test-deb: deb ## packages for Debian 12 and 13, each put into an empty one (debo
 	@JOBS=$(JOBS) FLAGS="$(FLAGS)" ARCH=$(ARM) bash scripts/deb_for.sh trixie out/deb$(FOR)
 	@bash scripts/try_deb.sh out/deb$(FOR)/for-trixie/luxpipe_*.deb trixie
 
+zip: PARTS = windows
+zip: ISPC = :
+zip: setup ## ptaccum, vcmetrics, vcregion and vcyear for Windows, with their pages, as a .zip in out/zip
+	@JOBS=$(JOBS) FLAGS="$(FLAGS)" bash scripts/zip.sh out/zip
+
+test-windows: PARTS += tests windows wine
+test-windows: all zip ## the programs of the .zip under wine: evalglare's rows, the bytes of this machine's
+	@cmake --build "$(BUILD)" -j $(JOBS) --target mkstream
+	@BIN="$(BUILD)/bin" bash scripts/test_windows.sh build-windows
+
 wheel: PARTS += $(strip wheel $(ARM:aarch64=arm64))
 wheel: setup ## a Python wheel in out/wheel: the programs and `import luxpipe`; tools come from the package index
 	@JOBS=$(JOBS) FLAGS="$(if $(ARM),,$(KERNELS)) $(FLAGS)" ARCH=$(ARM) \
@@ -155,12 +165,12 @@ uninstall: ## remove what the last `make install` of this build put there
 	@xargs -r -d '\n' rm -fv < "$(BUILD)/install_manifest.txt" && rm -f "$(BUILD)/install_manifest.txt"
 
 clean: ## remove build/ and out/
-	@rm -rf "$(BUILD)" build-asan build-tsan build-fuzz build-arm64 out
+	@rm -rf "$(BUILD)" build-asan build-tsan build-fuzz build-arm64 build-windows out
 
 setup:
 	@[ "$(SETUP)" = no ] || sh scripts/setup.sh $(PARTS)
 	@[ "$(SETUP)" = no ] || $(FETCH)
 
 .PHONY: help all everything demo live test test-gpu test-slurm test-deb test-arm64 test-sanitize fuzz deb wheel \
-	test-wheel release certificate year opencl-stacks bench coverage coverage-sensors compare-radiance compare-evalglare \
-	man site format lint install uninstall clean setup
+	zip test-windows test-wheel release certificate year opencl-stacks bench coverage coverage-sensors compare-radiance \
+	compare-evalglare man site format lint install uninstall clean setup

@@ -15,6 +15,9 @@ function(lux_tool name)
   add_executable(${name} ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE ${ARG_LINK})
   target_compile_definitions(${name} PRIVATE LUXPIPE_VERSION="${LUXPIPE_VERSION_TEXT}")
+  if(WIN32)
+    target_sources(${name} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/windows.rc)  # UTF-8
+  endif()
   install(TARGETS ${name} RUNTIME DESTINATION bin)
 endfunction()
 

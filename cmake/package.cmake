@@ -26,7 +26,7 @@ set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
   OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 include(CPack)
 
-if(LUXPIPE_DEB OR SKBUILD)  # set by scripts/deb.sh, or by scripts/wheel.sh through scikit-build-core
+if(LUXPIPE_DEB OR SKBUILD OR WIN32)  # set by scripts/deb.sh, or by scripts/wheel.sh through scikit-build-core
   add_compile_options(-ffile-prefix-map=${PROJECT_SOURCE_DIR}=. -ffile-prefix-map=${CMAKE_BINARY_DIR}=build)
 endif()
 if(LUXPIPE_DEB)

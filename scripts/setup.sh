@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # setup.sh PARTS: installs the Debian packages that these parts of luxpipe need, if any is missing; does nothing
 # otherwise.  Parts: tools (those that measure), ptrace, tests, demo, fuzz, deb, wheel, arm64 (built and tried for ARM
-# on another processor), chroot, site.
+# on another processor), windows and wine (the .zip, and tried), chroot, site.
 # It says what it will install, then runs `apt-get` (as root, or through sudo), and changes nothing else.
 # `make SETUP=no` leaves it out.  Elsewhere than on Debian and its relatives it only names what is needed.
 set -eu
@@ -21,9 +21,11 @@ for part in "$@"; do
         wheel) packages="$packages python3-venv" ;;                        # its tools come from the package index
         site) packages="$packages mandoc python3-venv" ;;
         arm64) packages="$packages g++-aarch64-linux-gnu qemu-user-static" ;;
+        windows) packages="$packages g++-mingw-w64-x86-64-posix dpkg-dev cmake ninja-build make git mandoc" ;;
+        wine) packages="$packages wine wine64" ;;
         chroot) packages="$packages debootstrap" ;;
         deb) packages="$packages dpkg-dev file" ;;                         # find which libraries the programs need
-        *) echo "setup: no part \"$part\": tools, ptrace, tests, demo, fuzz, deb, wheel, arm64, chroot, site" >&2
+        *) echo "setup: no part \"$part\": tools ptrace tests demo fuzz deb wheel arm64 windows wine chroot site" >&2
            exit 1 ;;
     esac
 done

@@ -1,0 +1,20 @@
+#!/bin/bash
+# SPDX-License-Identifier: BSD-3-Clause
+# test_windows.sh BUILD: the programs for Windows that were built in BUILD, under wine: evalglare's recorded runs, and
+# files beside those of this machine's programs ($BIN).  Wine is no Windows: its files, pipes and console are Linux's.
+set -eu
+top=$(cd "$(dirname "$0")/.." && pwd)
+build=$(cd "$1" && pwd)
+BIN=$(cd "${BIN:?}" && pwd)
+export WINEPREFIX=$build/wine WINEDEBUG=-all WINDOWS=$build/bin
+wineserver -p  # one server for all runs
+trap 'wineserver -k' EXIT
+printf '#!/bin/sh\nexec wine "%s" "$@"\n' "$build/bin/vcmetrics.exe" > "$build/vcmetrics"
+chmod +x "$build/vcmetrics"
+# the test is this machine's, the program that it calls is not
+"${CXX:-g++}" -std=c++17 -O1 -pthread -DOTHER_PROCESSOR "-DLUXPIPE_TESTS=\"$top/tests\"" \
+    "-DVCMETRICS=\"$build/vcmetrics\"" "$top/tests/parity/evalglare_golden_test.cpp" -o "$build/golden_here"
+status=0
+"$build/golden_here" || status=1
+TOP=$top BIN=$BIN bash "$top/tests/tools/windows.sh" || status=1
+exit $status
