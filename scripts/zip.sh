@@ -25,6 +25,6 @@ cp -r "$build/libraries/licences" "$out/$name/"
 cp /usr/share/doc/mingw-w64-common/copyright "$out/$name/licences/mingw-w64"
 cp /usr/share/doc/gcc-mingw-w64-base/copyright "$out/$name/licences/gcc"
 (cd "$out" && find "$name" -type f | LC_ALL=C sort > list &&
-    cmake -E tar cf "$name.zip" --format=zip --mtime="$(date -u -d "@$time" +%Y-%m-%dT%H:%M:%SZ)" --files-from=list)
+    cmake -E tar cf "$name.zip" --format=zip --mtime="$(date -u -d "@$time" +'%Y-%m-%d %H:%M:%S UTC')" --files-from=list)
 rm -r "$out/$name" "$out/list"
 echo "$out/$name.zip"
