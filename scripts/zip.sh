@@ -24,7 +24,14 @@ cp "$top/LICENSE" "$out/$name/LICENSE.txt"
 cp -r "$build/libraries/licences" "$out/$name/"
 cp /usr/share/doc/mingw-w64-common/copyright "$out/$name/licences/mingw-w64"
 cp /usr/share/doc/gcc-mingw-w64-base/copyright "$out/$name/licences/gcc"
-(cd "$out" && find "$name" -type f | LC_ALL=C sort > list &&
-    cmake -E tar cf "$name.zip" --format=zip --mtime="$(date -u -d "@$time" +'%Y-%m-%d %H:%M:%S UTC')" --files-from=list)
-rm -r "$out/$name" "$out/list"
+(cd "$out" && python3 - "$name" "$time" << 'END'
+import os, sys, time, zipfile
+name, day = sys.argv[1], time.gmtime(int(sys.argv[2]))[:6]
+with zipfile.ZipFile(name + ".zip", "w", zipfile.ZIP_DEFLATED) as archive:
+    for path in sorted(os.path.join(at, file) for at, _, files in os.walk(name) for file in files):
+        with open(path, "rb") as file:
+            archive.writestr(zipfile.ZipInfo(path, day), file.read(), zipfile.ZIP_DEFLATED)
+END
+)
+rm -r "$out/$name"
 echo "$out/$name.zip"
