@@ -3,6 +3,9 @@
 // none) and cpu.cfs_period_us; the limits of a group and of all groups above it hold.
 #include "base/processors.h"
 
+#if defined(__x86_64__)
+#include <cpuid.h>
+#endif
 #include <fmt/core.h>
 #ifdef __linux__
 #include <sched.h>
@@ -103,13 +106,21 @@ unsigned control_group_limit(const std::string& groups, const std::string& mount
     return unsigned(std::ceil(std::min(least, 1e6)));
 }
 
-bool has_avx2() {
+// The processor is asked itself, and the system whether it keeps these registers: zig's library answers
+// __builtin_cpu_supports with no.
 #if defined(__x86_64__)
-    return __builtin_cpu_supports("avx2");
-#else
-    return false;
-#endif
+static bool has(unsigned state, unsigned instructions) {
+    unsigned a = 0, b = 0, c = 0, d = 0, kept = 0;
+    if (!__get_cpuid(1, &a, &b, &c, &d) || !(c & bit_OSXSAVE)) return false;
+    __asm__("xgetbv" : "=a"(kept), "=d"(d) : "c"(0));
+    return (kept & state) == state && __get_cpuid_count(7, 0, &a, &b, &c, &d) && (b & instructions) == instructions;
 }
+bool has_avx2() { return has(0x6, bit_AVX2); }
+bool has_avx512() { return has(0xe6, bit_AVX512F | bit_AVX512VL | bit_AVX512DQ | bit_AVX512BW); }
+#else
+bool has_avx2() { return false; }
+bool has_avx512() { return false; }
+#endif
 
 void use_processors(unsigned count) { said_by_user = count; }
 

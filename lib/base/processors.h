@@ -15,6 +15,7 @@ void use_processors(unsigned count);
 
 // Does the machine have these instructions?
 bool has_avx2();
+bool has_avx512();  // F, VL, DQ and BW
 
 // The limit of a process's control groups, of either version, rounded up; 0: none.  `groups` is the text of
 // /proc/PID/cgroup, `mount` where the groups are seen.

@@ -32,19 +32,11 @@ struct Variant {
 };
 
 bool always() { return true; }
-#if defined(__x86_64__)
-[[maybe_unused]] bool has_avx512() {
-    return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
-           __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw");
-}
-#else
-bool has_avx512() { return false; }
-#endif
 
 // The fastest first (docs/decisions/0026-lanes.md).
 const Variant variants[] = {
 #ifdef LUXPIPE_LANES16
-    {"lanes16", &cpu_lanes16, has_avx512, "AVX-512"},  // paths side by side
+    {"lanes16", &cpu_lanes16, base::has_avx512, "AVX-512"},  // paths side by side
 #endif
 #ifdef LUXPIPE_LANES8
     {"lanes8", &cpu_lanes8, base::has_avx2, "AVX2"},

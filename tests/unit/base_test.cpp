@@ -12,6 +12,9 @@
 #include <limits>
 #include <new>
 #include <random>
+#include <set>
+#include <sstream>
+#include <string>
 
 #include "base/error.h"
 #include "base/hash.h"
@@ -174,6 +177,21 @@ TEST_CASE("processors: the least limit of a process's control groups and those a
     std::ofstream(mount + "/cpu/old/cpu.cfs_quota_us") << "-1\n";
     CHECK(base::control_group_limit("4:cpu,cpuacct:/old\n", mount) == 0);
     CHECK(base::control_group_limit("no groups here", mount) == 0);
+}
+
+TEST_CASE("processors: the instructions that Linux names in /proc/cpuinfo are found") {
+    std::ifstream file("/proc/cpuinfo");
+    std::set<std::string> flags;
+    for (std::string line; std::getline(file, line);) {
+        if (line.rfind("flags", 0) != 0) continue;
+        std::istringstream words(line);
+        for (std::string word; words >> word;) flags.insert(word);
+        break;
+    }
+    if (flags.empty()) return;  // another processor, another system
+    CHECK(base::has_avx2() == (flags.count("avx2") == 1));
+    CHECK(base::has_avx512() ==
+          (flags.count("avx512f") + flags.count("avx512vl") + flags.count("avx512dq") + flags.count("avx512bw") == 4));
 }
 
 TEST_CASE("hypot: the true value to .501 units in the last place, whatever the exponents") {
