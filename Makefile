@@ -16,7 +16,9 @@ ISPC    = $(if $(and $(LANES),$(findstring ptrace,$(PARTS)),$(if $(findstring LU
 # ARCH=arm64 (a wheel: aarch64): for ARM, on another processor, all by gcc (cmake/arm64.cmake), without ispc.
 ARM     = $(filter arm64 aarch64,$(ARCH))
 FOR     = $(addprefix /,$(ARM))
-FETCH   = $(if $(ARM),sh scripts/arm64.sh build-arm64/root,$(ISPC))
+FETCH   = $(if $(ARM),sh scripts/arm64.sh build-arm64/root,$(ISPC) && $(OLDER))
+# A wheel for x86-64 has libraries of its own, for older systems.
+OLDER   = :
 # Lanes that are built (lib/device): those of this machine, or both in what goes elsewhere and in the tests.
 OWN     = $(if $(shell grep -sw avx512dq /proc/cpuinfo),16,8)
 LANES   = $(OWN)
@@ -99,13 +101,14 @@ test-windows: all zip ## the programs of the .zip under wine: evalglare's rows, 
 	@BIN="$(BUILD)/bin" bash scripts/test_windows.sh build-windows
 
 wheel: PARTS += $(strip wheel $(ARM:aarch64=arm64))
+wheel: OLDER = sh scripts/glibc228.sh build-glibc228/root
 wheel: setup ## a Python wheel in out/wheel: the programs and `import luxpipe`; tools come from the package index
-	@JOBS=$(JOBS) FLAGS="$(if $(ARM),,$(KERNELS)) $(FLAGS)" ARCH=$(ARM) \
+	@JOBS=$(JOBS) FLAGS="$(FLAGS)" ARCH=$(ARM) \
 	    bash scripts/wheel.sh out/wheel$(FOR)
 
 test-wheel: PARTS += chroot
-test-wheel: wheel ## the wheel built again: same bytes; then put into empty Debians 12 and 13 (debootstrap, as root)
-	@JOBS=$(JOBS) FLAGS="$(if $(ARM),,$(KERNELS)) $(FLAGS)" ARCH=$(ARM) bash scripts/wheel.sh out/wheel-again$(FOR)
+test-wheel: wheel ## the wheel built again: same bytes; then put into empty Debians 11 to 13 (debootstrap, as root)
+	@JOBS=$(JOBS) FLAGS="$(FLAGS)" ARCH=$(ARM) bash scripts/wheel.sh out/wheel-again$(FOR)
 	@cmp out/wheel$(FOR)/luxpipe-*.whl out/wheel-again$(FOR)/luxpipe-*.whl && echo "built twice: the same bytes"
 	@bash scripts/try_wheel.sh out/wheel$(FOR)/luxpipe-*.whl
 
@@ -165,11 +168,11 @@ uninstall: ## remove what the last `make install` of this build put there
 	@xargs -r -d '\n' rm -fv < "$(BUILD)/install_manifest.txt" && rm -f "$(BUILD)/install_manifest.txt"
 
 clean: ## remove build/ and out/
-	@rm -rf "$(BUILD)" build-asan build-tsan build-fuzz build-arm64 build-windows out
+	@rm -rf "$(BUILD)" build-asan build-tsan build-fuzz build-arm64 build-glibc228 build-windows out
 
 setup:
 	@[ "$(SETUP)" = no ] || sh scripts/setup.sh $(PARTS)
-	@[ "$(SETUP)" = no ] || $(FETCH)
+	@[ "$(SETUP)" = no ] || { $(FETCH); }
 
 .PHONY: help all everything demo live test test-gpu test-slurm test-deb test-arm64 test-sanitize fuzz deb wheel \
 	zip test-windows test-wheel release certificate year opencl-stacks bench coverage coverage-sensors compare-radiance \

@@ -7,6 +7,6 @@ install(DIRECTORY examples/scenes/ DESTINATION examples PATTERN "*.exr" EXCLUDE 
 install(FILES examples/office.regions DESTINATION examples/office)
 install(CODE "
   file(GLOB programs \${CMAKE_INSTALL_PREFIX}/bin/*)
-  execute_process(COMMAND env LIBRARIES=${CMAKE_SYSROOT}
+  execute_process(COMMAND env LIBRARIES=${CMAKE_SYSROOT}${CMAKE_FIND_ROOT_PATH}
     bash ${PROJECT_SOURCE_DIR}/scripts/licences.sh \${CMAKE_INSTALL_PREFIX}/licences \${programs}
     COMMAND_ERROR_IS_FATAL ANY)")

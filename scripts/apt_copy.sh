@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # apt_copy.sh FOLDER SUITE ARCH PACKAGE...: unpacks packages of a Debian, and all that they depend on, into FOLDER;
 # FOLDER/shlibs says for dpkg-shlibdeps which of them has which library.
-# ARCH source: the packages' sources, each patched in a folder of its own; nothing of what they depend on.
+# ARCH source: the packages' sources, each patched in a folder of its own; nothing of what they depend on.  ARCH
+# upstream: the archives that they were made of.
 # Nothing is installed, and this machine's apt learns nothing of it: an apt of its own, which checks the signatures,
 # knows that archive alone and thinks that nothing is there.  Status 1, one line on stderr: it cannot be had.
 set -eu
@@ -17,7 +18,11 @@ site=$(apt-get indextargets --format "\$(SITE)" 'Created-By: Packages' 'Origin: 
 [ -n "$site" ] || without 'apt knows no archive of Debian'
 
 native=$arch kind=deb fetch='install -y --download-only'
-[ "$arch" != source ] || { native=$(dpkg --print-architecture) kind=deb-src fetch=source; }
+case $arch in
+    source) fetch=source ;;
+    upstream) fetch='source --tar-only' ;;
+esac
+[ "${fetch#source}" = "$fetch" ] || native=$(dpkg --print-architecture) kind=deb-src
 work=$folder.apt
 rm -rf "$work"
 trap 'rm -rf "$work"' EXIT

@@ -2,11 +2,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # licences.sh OUT PROGRAM ...: the licence files (Debian's) of the shared libraries that the programs load, in OUT, but
 # for those of the C and C++ libraries, which a wheel does not hold.  Scripts among the programs load none.
-# LIBRARIES=FOLDER: programs for another processor, whose libraries apt_copy.sh unpacked into FOLDER.
+# LIBRARIES=FOLDER: programs for another processor, whose libraries apt_copy.sh unpacked into FOLDER, or static ones,
+# whose licences scripts/glibc228.sh put into FOLDER/licences.
 set -euo pipefail
 out=$1; shift
 command -v dpkg-query > /dev/null || exit 0
 mkdir -p "$out"
+[ ! -d "${LIBRARIES:-}/licences" ] || exec cp -r "$LIBRARIES/licences/." "$out"
 copy() {  # PACKAGE FOLDER
     case $1 in
         "" | libc6 | libgcc-s1 | libstdc++6) ;;

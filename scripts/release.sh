@@ -47,7 +47,7 @@ part() {
 git archive --prefix="$name/" HEAD | gzip -9n > "$out/$name.tar.gz"
 say "| $name.tar.gz | $(stat -c %s "$out/$name.tar.gz") | sources | \`make test\` of that commit |"
 part wheel 'out/wheel/luxpipe-*.whl' 'Python 3.9 or later, Linux, x86-64' test-wheel \
-    'empty Debians 12 and 13, no compiler, no OpenCL: frames by bits, pipe, page, `import luxpipe`'
+    'empty Debians 11 to 13, no compiler, no OpenCL: frames by bits, pipe, page, `import luxpipe`'
 part 'wheel ARCH=aarch64' 'out/wheel/aarch64/luxpipe-*.whl' 'Python 3.9 or later, Linux, ARM' \
     'test-wheel ARCH=aarch64' 'empty Debians for ARM under an emulator; the programs by `make test-arm64`; no machine'
 part deb 'out/deb/luxpipe_*.deb' 'Debian 12, x86-64' test-deb 'an empty Debian 12: installed, demo run, removed'

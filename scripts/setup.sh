@@ -18,7 +18,7 @@ for part in "$@"; do
             chromium chromium-driver python3-selenium python3-pil" ;;  # PoCL: OpenCL on the CPU; the page of vcview
         demo) packages="$packages gnuplot-nox" ;;                          # the plot
         fuzz) packages="$packages clang" ;;
-        wheel) packages="$packages python3-venv" ;;                        # its tools come from the package index
+        wheel) packages="$packages python3-venv dpkg-dev" ;;               # its tools come from the package index
         site) packages="$packages mandoc python3-venv" ;;
         arm64) packages="$packages g++-aarch64-linux-gnu qemu-user-static" ;;
         windows) packages="$packages g++-mingw-w64-x86-64-posix dpkg-dev cmake ninja-build make git mandoc" ;;

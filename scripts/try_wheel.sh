@@ -1,7 +1,7 @@
 #!/bin/bash
 # SPDX-License-Identifier: BSD-3-Clause
 # try_wheel.sh WHEEL [FOLDER]: does the wheel stand by itself?  It is installed in a fresh virtual environment here,
-# then in empty Debians 12 and 13 (made by debootstrap in FOLDER where there are none yet; else in a folder that is
+# then in empty Debians 11 to 13 (made by debootstrap in FOLDER where there are none yet; else in a folder that is
 # removed again) with python3-venv, without a compiler and without OpenCL.  There README's pipe runs, frames have the
 # bits of tests/golden/bits.tsv, vcview and luxpipe-live answer and `import luxpipe` renders.  As root, with a network.
 set -euo pipefail
@@ -12,9 +12,9 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 roots=${2:-$work}
 mkdir -p "$roots/wheels"
-for python in 3.11 3.13; do
-    python3 -m pip download -q --only-binary :all: --platform "manylinux_2_28_$machine" --python-version "$python" \
-        --no-deps -d "$roots/wheels" numpy
+for python in 3.9 3.11 3.13; do
+    python3 -m pip download -q --only-binary :all: --no-deps --python-version "$python" -d "$roots/wheels" \
+        --platform "manylinux_2_28_$machine" --platform "manylinux2014_$machine" numpy
 done
 
 # trial BIN TOP DEVICES: what is tried in each place; BIN is where pip put the programs, TOP has tests and examples.
@@ -61,7 +61,9 @@ if [ "$machine" = "$(uname -m)" ]; then
     echo "virtual environment: installed and run"
 fi
 
-for suite in bookworm trixie; do
+suites='bookworm trixie'
+[ "$machine" != x86_64 ] || suites="bullseye $suites"  # of ARM it is Debian 12's C library
+for suite in $suites; do
     root=$roots/$suite
     inside() { bash "$top/scripts/debian.sh" "$root" "$suite" "$arch" "$1"; }
     inside 'apt-get update -q && apt-get install -q -y --no-install-recommends python3-venv' > "$work/apt.log" 2>&1 ||
