@@ -7,6 +7,7 @@ top=$(cd "$(dirname "$0")/.." && pwd)
 build=$(cd "$1" && pwd)
 BIN=$(cd "${BIN:?}" && pwd)
 export WINEPREFIX=$build/wine WINEDEBUG=-all WINDOWS=$build/bin
+mkdir -p "$WINEPREFIX"
 wineserver -p  # one server for all runs
 trap 'wineserver -k' EXIT
 printf '#!/bin/sh\nexec wine "%s" "$@"\n' "$build/bin/vcmetrics.exe" > "$build/vcmetrics"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# The programs for Windows under wine: the same bytes as this machine's, for pictures, streams, masks, tables and pages.
+# The programs for Windows under wine: the same bytes as this machine's, for pictures, streams, masks, tables and years.
 . "${TOP:?}/tests/lib.sh"
 needs wine ptaccum vcmetrics vcregion vcyear mkstream
 exe=${WINDOWS:-$TOP/build-windows/bin}
@@ -35,6 +35,10 @@ check 'metrics, their intervals, sources, a drawing' "both '
 check 'regions: a mask, a list, a preview' "both '
     vcregion -vf $scenes/office/view.vf -x 64 -y 64 -o mask.exr ../office.regions
     vcregion -vf $scenes/office/view.vf -list ../office.regions'"
+python3 "$TOP/tests/tools/room_year.py" room > room.tsv
+check 'a year: its lines, a row for each sensor, a folder of honeybee' "both '
+    vcyear -en17037 ../site.wea ../room.tsv; vcyear -en17037 ../site.wea -each ../room.tsv > each
+    vcyear -format csv ../room.tsv; vcyear -honeybee folder ../room.tsv'"
 check 'lines that end with CR LF' "
     sed 's/\$/\r/' office.regions > dos.regions
     both 'vcregion -vf $scenes/office/view.vf -list ../dos.regions' && cp there/stdout dos
