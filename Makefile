@@ -106,7 +106,7 @@ wheel: setup ## a Python wheel in out/wheel: the programs and `import luxpipe`; 
 	@JOBS=$(JOBS) FLAGS="$(FLAGS)" ARCH=$(ARM) \
 	    bash scripts/wheel.sh out/wheel$(FOR)
 
-test-wheel: PARTS += chroot
+test-wheel: PARTS += chroot tests
 test-wheel: wheel ## the wheel built again: same bytes; then put into empty Debians 11 to 13 (debootstrap, as root)
 	@JOBS=$(JOBS) FLAGS="$(FLAGS)" ARCH=$(ARM) bash scripts/wheel.sh out/wheel-again$(FOR)
 	@cmp out/wheel$(FOR)/luxpipe-*.whl out/wheel-again$(FOR)/luxpipe-*.whl && echo "built twice: the same bytes"

@@ -11,3 +11,4 @@ foreach(kind LIBRARY INCLUDE PACKAGE)
   set(CMAKE_FIND_ROOT_PATH_MODE_${kind} ONLY)
 endforeach()
 set(CMAKE_CROSSCOMPILING_EMULATOR env)  # they run here, too
+set(CMAKE_EXE_LINKER_FLAGS_INIT "-L${root}/usr/lib ${root}/usr/lib/libruntime.a")

@@ -8,7 +8,7 @@ set -eu
 [ ! -e "$1/complete" ] || exit 0
 here=$(cd "$(dirname "$0")" && pwd)
 rm -rf "$1"
-mkdir -p "$1/bin" "$1/usr/lib"
+mkdir -p "$1/bin" "$1/cache" "$1/usr/lib"
 root=$(cd "$1" && pwd)
 log=$root/log
 trap '[ -e "$root/complete" ] || tail -n 20 "$log" >&2' EXIT
@@ -21,6 +21,18 @@ for name in clang:cc clang++:c++; do
         "$(ls "$root"/zig/lib/python3*/site-packages/ziglang/zig)" ${name#*:} > "$root/bin/${name%:*}"
     chmod +x "$root/bin/${name%:*}"
 done
+
+# zig's runtime library has sin, exp and others of its own, with other last bits: the linker is given a copy of it first
+# (cmake/glibc228.cmake) that keeps to itself what glibc has. (And what lib/evalglare calls of its libmvec.)
+echo 'int main() {}' | ZIG_GLOBAL_CACHE_DIR=$root/cache "$root/bin/clang" -x c - -o "$root/cache/program"
+nm -D "$root"/cache/o/*/lib[cm].so.6 | sed -n 's/.* [A-Za-z] \([^@]*\)@.*/\1/p' | sort -u > "$root/cache/names"
+ar p "$root"/cache/o/*/libcompiler_rt.a > "$root/cache/runtime.o"
+objcopy --localize-symbols="$root/cache/names" "$root/cache/runtime.o"
+ar rcs "$root/usr/lib/libruntime.a" "$root/cache/runtime.o"
+echo 'GLIBC_2.22 { global: *; };' > "$root/cache/versions"
+echo 'void _ZGVbN2v_sin() {} void _ZGVbN2v_cos() {}' | "$root/bin/clang" -x c - -shared -nostdlib \
+    -Wl,-soname,libmvec.so.1 "-Wl,--version-script=$root/cache/versions" -o "$root/usr/lib/libmvec.so"
+rm -rf "$root/cache"
 
 sh "$here/apt_copy.sh" "$root" bookworm "$(dpkg --print-architecture)" libcli11-dev opencl-headers opencl-clhpp-headers
 sh "$here/apt_copy.sh" "$root/loader" bullseye amd64 ocl-icd-libopencl1

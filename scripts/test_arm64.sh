@@ -44,11 +44,8 @@ done
 for test in $tests; do
     try "$test" "$build/run/$test"
 done
-# the test is this machine's, the program that it calls is not
-[ "${2:-}" = all ] && rows= || rows=-DEACH_ONCE
-try evalglare_golden bash -c "${CXX:-g++} -std=c++17 -O1 -pthread -DOTHER_PROCESSOR $rows \
-    '-DLUXPIPE_TESTS=\"$top/tests\"' '-DVCMETRICS=\"$build/run/vcmetrics\"' \
-    '$top/tests/parity/evalglare_golden_test.cpp' -o '$build/run/golden_here' && '$build/run/golden_here'"
+[ "${2:-}" = all ] && rows=() || rows=(-DEACH_ONCE)
+try evalglare_golden bash "$top/scripts/golden_runs.sh" "$build/run/vcmetrics" -DOTHER_PROCESSOR "${rows[@]}"
 # small ones: qemu takes 80 times the time
 export side=24 PYTEST_ADDOPTS="-k 'saved_pictures or test_measure or not_converged or pyradiance_names or arrays_need'"
 for test in ptaccum_test vcmetrics_test vcregion_test vcyear_test pipeline ptrace_options inputs python; do

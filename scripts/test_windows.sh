@@ -12,10 +12,7 @@ wineserver -p  # one server for all runs
 trap 'wineserver -k' EXIT
 printf '#!/bin/sh\nexec wine "%s" "$@"\n' "$build/bin/vcmetrics.exe" > "$build/vcmetrics"
 chmod +x "$build/vcmetrics"
-# the test is this machine's, the program that it calls is not
-"${CXX:-g++}" -std=c++17 -O1 -pthread -DOTHER_PROCESSOR "-DLUXPIPE_TESTS=\"$top/tests\"" \
-    "-DVCMETRICS=\"$build/vcmetrics\"" "$top/tests/parity/evalglare_golden_test.cpp" -o "$build/golden_here"
 status=0
-"$build/golden_here" || status=1
+bash "$top/scripts/golden_runs.sh" "$build/vcmetrics" -DOTHER_PROCESSOR || status=1
 TOP=$top BIN=$BIN bash "$top/tests/tools/windows.sh" || status=1
 exit $status

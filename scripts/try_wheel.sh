@@ -53,6 +53,7 @@ if [ "$machine" = "$(uname -m)" ]; then
     python3 -m venv "$work/venv"
     "$work/venv/bin/pip" install -q --find-links "$roots/wheels" "$wheel"
     TMPDIR=$work bash "$work/trial" "$work/venv/bin" "$top" cpu:lanes16 cpu:lanes8 cpu:avx2 cpu:baseline
+    bash "$top/scripts/golden_runs.sh" "$work/venv/bin/vcmetrics" | tail -n 4
     test -s "$work/venv/share/man/man1/ptrace.1"
     if grep -rlF "$top" "$work"/venv/lib/python*/site-packages/luxpipe{,.libs}; then
         echo "these name $top, where the wheel was built" >&2
