@@ -1,7 +1,7 @@
 #!/bin/bash
 # SPDX-License-Identifier: BSD-3-Clause
 # test_windows.sh BUILD: the programs for Windows that were built in BUILD, under wine: evalglare's recorded runs, and
-# files beside those of this machine's programs ($BIN).  Wine is no Windows: its files, pipes and console are Linux's.
+# files beside those of this machine's programs ($BIN).  Wine is not Windows: its files, pipes and console are Linux's.
 set -eu
 top=$(cd "$(dirname "$0")/.." && pwd)
 build=$(cd "$1" && pwd)

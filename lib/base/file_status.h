@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What stands under a name or behind a descriptor.
+// Kind and version of a file, by its name or by a descriptor.
 #pragma once
 #include <cstdint>
 #include <cstring>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// See new_file.h.  Permissions and owners are those of the folder, and a link is replaced itself.
+// See new_file.h.  Permissions and owners are those of the folder, and a link is replaced, not its file.
 #include "base/new_file.h"
 
 #include <fcntl.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a program begins with.
+// What every program does before it reads its options.
 #pragma once
 #include <cstddef>
 #include <functional>

@@ -82,10 +82,7 @@ double distant_luminance(const FlatScene& scene, const Distant& distant, base::V
 
 bool has_orientation(const FlatScene& scene, uint32_t mod, base::Vec3 p, base::Vec3 n) {
     const Modifier& m = scene.modifiers[mod];
-    SceneTables t{};
-    t.modifiers = scene.modifiers.data();
-    t.u = scene.u.data();
-    t.f = scene.f.data();
+    const SceneTables t = tables_of(scene);
     Params par{};
     par.centre = packed(scene.centre);
     Surface g;
@@ -105,9 +102,7 @@ bool has_orientation(const FlatScene& scene, uint32_t mod, base::Vec3 p, base::V
 }
 
 bool run_program(const FlatScene& scene, uint32_t entry, const float* vars, float* out) {
-    SceneTables t{};
-    t.u = scene.u.data();
-    t.f = scene.f.data();
+    const SceneTables t = tables_of(scene);
     return cal_run(&t, entry, vars, out) == 0;
 }
 

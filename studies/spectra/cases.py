@@ -29,6 +29,16 @@ action = column('toolboxes/photbiochem/data/S026_Table2_Data_downloaded_04062025
 actions = dict(zip(['sc', 'mc', 'lc', 'rh', 'mel'], action), V=column('data/cmfs/ciexyz_1931_2.dat', 2)[0])
 d65 = column('data/spds/CIE_D65.csv', 1)[0]
 s0, s1, s2 = column('data/spds/S0123_daylight_phase_5nm.csv', [1, 2, 3])
+
+
+def daylight(kelvin):
+    x = (-4.6070e9 / kelvin ** 3 + 2.9678e6 / kelvin ** 2 + 99.11 / kelvin + .244063 if kelvin <= 7000 else
+         -2.0064e9 / kelvin ** 3 + 1.9018e6 / kelvin ** 2 + 247.48 / kelvin + .237040)
+    y = -3 * x * x + 2.87 * x - .275
+    m = .0241 + .2562 * x - .7341 * y
+    return s0 + (-1.3515 - 1.7703 * x + 5.9114 * y) / m * s1 + (.03 - 31.4424 * x + 30.0717 * y) / m * s2
+
+
 led = 'data/spds/CIE_LED_B1toB5_BH1_RGB1_V1_V2.csv'
 lights = {'D65': d65, 'north sky, 12000 K': s0 + 1.495 * s1 + .045 * s2, 'A': planck(2855.5),
           'F11': column('data/spds/CIE_F_1to12_1nm.csv', 11)[0], 'LED-B3': column(led, 3)[0],

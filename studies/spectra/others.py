@@ -7,19 +7,11 @@ import csv
 
 import numpy as np
 
-from cases import actions, column, d65, luxpy, nm, ranges, s0, s1, s2
+from cases import actions, column, d65, daylight, luxpy, nm, ranges
 
 KINDS = {'Fluorescent Broadband': 'fluorescent', 'Fluorescent Narrowband': 'fluorescent', 'LED Phosphor': 'LED',
          'LED Mixed': 'LED', 'LED Hybrid': 'LED', 'Incandescent/Filament': 'incandescent',
          'High Intensity Discharge': 'discharge', 'Other': 'LED'}
-
-
-def daylight(kelvin):
-    x = (-4.6070e9 / kelvin ** 3 + 2.9678e6 / kelvin ** 2 + 99.11 / kelvin + .244063 if kelvin <= 7000 else
-         -2.0064e9 / kelvin ** 3 + 1.9018e6 / kelvin ** 2 + 247.48 / kelvin + .237040)
-    y = -3 * x * x + 2.87 * x - .275
-    m = .0241 + .2562 * x - .7341 * y
-    return s0 + (-1.3515 - 1.7703 * x + 5.9114 * y) / m * s1 + (.03 - 31.4424 * x + 30.0717 * y) / m * s2
 
 
 def lamps():

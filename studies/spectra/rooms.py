@@ -10,7 +10,7 @@ import sys
 import numpy as np
 
 import cases
-from cases import actions, d65, glasses, lights, nm, ranges, s0, s1, s2, samples
+from cases import actions, d65, daylight, glasses, lights, nm, ranges, samples
 
 mel, by_v = actions['mel'], actions['V']
 red, blue = (np.interp(nm, nm[::5], [float(w) for w in block.split(',') if w.strip()])
@@ -44,14 +44,6 @@ def banded(light, glass, wall, name, count):
         mean /= mean.sum()
         value += (light * weight * share).sum() * (mean @ glass) * room(mean @ wall)
     return value
-
-
-def daylight(kelvin):
-    x = (-4.6070e9 / kelvin ** 3 + 2.9678e6 / kelvin ** 2 + 99.11 / kelvin + .244063 if kelvin <= 7000 else
-         -2.0064e9 / kelvin ** 3 + 1.9018e6 / kelvin ** 2 + 247.48 / kelvin + .237040)
-    y = -3 * x * x + 2.87 * x - .275
-    m = .0241 + .2562 * x - .7341 * y
-    return s0 + (-1.3515 - 1.7703 * x + 5.9114 * y) / m * s1 + (.03 - 31.4424 * x + 30.0717 * y) / m * s2
 
 
 def ratio(light):
