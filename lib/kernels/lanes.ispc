@@ -3,22 +3,29 @@
 #include "kernels/dialect/compat_lanes.isph"
 #include "kernels/all.h"
 
-export void LANE_CALL(layout)(uniform uint* uniform sizes) { record_sizes(sizes); }
+// What C++ calls: without the copy of each function that ispc's own code could call, which takes as long to compile.
+#if ISPC_MAJOR_VERSION > 1 || ISPC_MINOR_VERSION >= 26
+#define EXPORT __attribute__((external_only)) export
+#else
+#define EXPORT export
+#endif
+
+EXPORT void LANE_CALL(layout)(uniform uint* uniform sizes) { record_sizes(sizes); }
 
 // result: of paths 0 .. n-1, the value of path_generate.
-export void LANE_CALL(generate)(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths,
+EXPORT void LANE_CALL(generate)(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths,
                                 uniform uint n, uniform int* uniform result) {
     foreach (i = 0 ... n) result[i] = path_generate(s, par, paths, i);
 }
 
 // result: of each path of the queue, the value of path_shade.
-export void LANE_CALL(shade)(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths,
+EXPORT void LANE_CALL(shade)(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths,
                              const uniform uint* uniform queue, uniform uint n, uniform int* uniform result) {
     foreach (i = 0 ... n) result[i] = path_shade(s, par, paths, queue[i]);
 }
 
 // known: visibility of each path's shadow ray (integrator/shadow.h).
-export void LANE_CALL(shadow)(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths,
+EXPORT void LANE_CALL(shadow)(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths,
                               const uniform uint* uniform queue, uniform uint n, const uniform int* uniform known) {
     foreach (i = 0 ... n) path_shadow(s, par, paths, queue[i], known[i]);
 }
@@ -28,25 +35,25 @@ export void LANE_CALL(shadow)(TABLES(const SceneTables) s, PARAMS(const Params) 
     for (uniform uint group = 0; group < REUSE_GROUPS; group++) \
         foreach (which = 0 ... REUSE_GROUP) stage
 
-export void LANE_CALL(suffix_roulette)(PARAMS(const Params) par, TABLES(const Paths) paths) {
+EXPORT void LANE_CALL(suffix_roulette)(PARAMS(const Params) par, TABLES(const Paths) paths) {
     OF_GROUPS(path_suffix_roulette(par, paths, REUSE_FIRST(group), which));
 }
 
 // connections: paths and members of their groups, path * REUSE_GROUP + member.
-export void LANE_CALL(transmittance)(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths,
+EXPORT void LANE_CALL(transmittance)(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths,
                                     const uniform uint* uniform connections, uniform uint n) {
     foreach (i = 0 ... n)
         connection_transmittance(s, par, paths, connections[i] / REUSE_GROUP, connections[i] % REUSE_GROUP);
 }
 
-export void LANE_CALL(connect)(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths) {
+EXPORT void LANE_CALL(connect)(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths) {
     OF_GROUPS(path_connect(s, par, paths, REUSE_FIRST(group), which));
 }
 
-export void LANE_CALL(normalise_mis)(TABLES(const Paths) paths, const uniform uint* uniform queue, uniform uint n) {
+EXPORT void LANE_CALL(normalise_mis)(TABLES(const Paths) paths, const uniform uint* uniform queue, uniform uint n) {
     foreach (i = 0 ... n) path_normalise_mis(paths, queue[i]);
 }
 
-export void LANE_CALL(gather)(TABLES(const Paths) paths) {
+EXPORT void LANE_CALL(gather)(TABLES(const Paths) paths) {
     OF_GROUPS(path_gather(paths, REUSE_FIRST(group), which));
 }
