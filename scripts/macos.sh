@@ -6,10 +6,11 @@ set -eu
 top=$(cd "$(dirname "$0")/.." && pwd)
 mkdir -p "$1/include" && build=$(cd "$1" && pwd)
 [ -e "$build/venv" ] || { python3 -m venv "$build/venv" && "$build/venv/bin/pip" install -q ziglang; }
-for header in CL CLI Imath OpenEXR embree3 embree4 fmt libpng16 microhttpd.h png.h pngconf.h pugiconfig.hpp \
-    pugixml.hpp; do
+for header in CL CLI Imath OpenEXR embree3 embree4 fmt libpng16 microhttpd.h png.h pngconf.h pnglibconf.h \
+    pugiconfig.hpp pugixml.hpp; do
     [ ! -e "/usr/include/$header" ] || ln -sfn "/usr/include/$header" "$build/include/"
 done
+ln -sfn /usr/include/CL "$build/include/OpenCL"  # its name there
 cmake -S "$top" -B "$build/linux" -G Ninja --log-level=WARNING -DCMAKE_EXPORT_COMPILE_COMMANDS=ON -DBUILD_TESTING=OFF \
     -DCMAKE_UNITY_BUILD=ON > /dev/null
 cmake --build "$build/linux" --target lib/device/kernel_source.cpp > /dev/null
@@ -18,6 +19,7 @@ import json, shlex, sys
 build = sys.argv[1]
 for entry in json.load(open(build + "/linux/compile_commands.json")):
     words = shlex.split(entry["command"])
+    words = [w for w in words if w != "-DLUX_HAVE_LIBMVEC"]  # glibc alone, on x86-64
     kept = [w for k, w in enumerate(words) if w.startswith(("-D", "-I", "-isystem")) or words[k - 1] == "-isystem"]
     if not any(w.startswith("-mavx") for w in words):  # x86-64 alone
         print(shlex.join(kept + [entry["file"]]))

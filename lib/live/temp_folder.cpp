@@ -3,6 +3,7 @@
 #include "live/temp_folder.h"
 
 #include <stdlib.h>
+#include <unistd.h>  // macOS has mkdtemp there
 
 #include <cerrno>
 

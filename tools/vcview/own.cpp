@@ -2,7 +2,6 @@
 // See own.h.
 #include "own.h"
 
-#include <sys/mman.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -80,17 +79,13 @@ private:
     const std::string path_;
 };
 
-// vcmetrics -against reads a file without a name instead of the word that stands there.
-std::string name_against(live::Words& measure, std::string& word) {
+// vcmetrics -against reads a file of ours instead of the word that stands there.
+std::string name_against(live::Words& measure, std::string& word, std::optional<live::TempFolder>& folder) {
     const auto at = std::find(measure.begin(), measure.end(), "-against");
     if (measure.end() - at < 2) return "";
     word = at[1];
-    errno = 0;
-    const int file = memfd_create("against", MFD_CLOEXEC);
-    if (file < 0) base::fail_system("-against", "has no file");
-    at[1] = "/proc/" + std::to_string(getpid()) + "/fd/" + std::to_string(file);
-    std::ofstream(at[1]) << word;
-    return at[1];
+    if (!folder) folder.emplace();
+    return at[1] = folder->write("against", word);
 }
 
 }  // namespace
@@ -101,7 +96,7 @@ int show_scene(Options options) {
     std::optional<RegionFile> regions;
     if (!options.regions.empty()) regions.emplace(options.regions);
     live::Words measure = options.command;
-    const std::string against = name_against(measure, options.server.against);
+    const std::string against = name_against(measure, options.server.against, folder);
 
     live::Live page(options.files);
     page.set_against(against);
@@ -113,7 +108,7 @@ int show_scene(Options options) {
     page.begin([&](live::State& s) {
         s.control = commands_from;
         for (const Which which : {Which::picture, Which::day, Which::plan}) {
-            if (which == Which::plan && !folder) continue;
+            if (which == Which::plan && options.server.plan.points.empty()) continue;
             using Stage = live::Pipe::Stage;
             s.pipe(which).own = true;
             s.pipe(which).stage = which == Which::picture ? Stage::ended : Stage::asleep;
