@@ -12,6 +12,7 @@ compiler=$(aarch64-linux-gnu-g++ -dumpversion)
 sh "$here/apt_copy.sh" "$1" "$suite" arm64 libc6-dev "libstdc++-$compiler-dev" libcli11-dev libmicrohttpd-dev \
     libopenexr-dev libimath-dev libfmt-dev libpng-dev libpugixml-dev libembree-dev ocl-icd-opencl-dev opencl-headers \
     opencl-clhpp-headers doctest-dev || exit 2
+[ -e "$1/lib" ] || ln -s usr/lib "$1/lib"  # since Debian 13 a link, which no package brings
 # links to /lib/... would lead to this machine's libraries
 find "$1" -type l -lname '/*' | while read -r link; do
     ln -sfnr "$1$(readlink "$link")" "$link"

@@ -28,7 +28,8 @@ esac
 rm -rf "$out/build" "$out"/luxpipe_*.deb
 cmake -S "$top" -B "$out/build" -G Ninja --log-level=WARNING -DCMAKE_INSTALL_PREFIX=/usr -DLUXPIPE_DEB=ON \
     -DCMAKE_UNITY_BUILD=ON $toolchain ${FLAGS:-} > /dev/null
-cmake --build "$out/build" -j "${JOBS:-$(nproc)}" --target tools > /dev/null
+cmake --build "$out/build" -j "${JOBS:-$(nproc)}" --target tools > "$out/build/log" ||
+    { tail -n 30 "$out/build/log" >&2; exit 2; }
 foreign=()
 [ -z "$toolchain" ] || foreign=(-D CPACK_DEBIAN_PACKAGE_ARCHITECTURE=arm64 -D CPACK_DEBIAN_PACKAGE_SHLIBDEPS=OFF
     -D CPACK_DEBIAN_PACKAGE_DEPENDS="$(arm64_depends)")

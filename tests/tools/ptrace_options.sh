@@ -75,10 +75,10 @@ check 'LUXPIPE_THREADS is taken, -n before it' '
 dome='-vta -vh 180 -vv 180 -vd 0 0 1 -vu 0 1 0'
 check '-n threads do the work' '
     threads() {  # more than asked for under the thread sanitizer or an emulator, which have one of their own
-        rm -f first; ptrace -n $1 -x 64 -y 64 $dome -frames 1000000 sky.rad 2> said \
-            > >(head -c 1000 > first; cat > /dev/null) & p=$!; most=0
-        until [ -s first ] || ! kill -0 $p; do sleep .05; done
-        for i in $(seq 100); do n=$(ls /proc/$p/task | wc -l); [ "$n" -le "$most" ] || most=$n; done; kill -9 $p
+        rm -f later; ptrace -n $1 -x 64 -y 64 $dome -frames 1000000 sky.rad 2> said \
+            > >(head -c 100000 > first; : > later; cat > /dev/null) & p=$!; most=0; looks=0  # some frames
+        until [ -e later -a $looks -ge 100 ] || ! kill -0 $p; do
+            n=$(ls /proc/$p/task | wc -l); [ "$n" -le "$most" ] || most=$n; looks=$((looks + 1)); done; kill -9 $p
         echo $most; }
     [ $(threads 3) -eq $(($(threads 1) + 2)) ]'
 check_error '-n 0 is reported' 1 '^ptrace: -n: 0 is outside' 'ptrace -n 0 sky.rad'

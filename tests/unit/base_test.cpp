@@ -180,14 +180,16 @@ TEST_CASE("processors: the least limit of a process's control groups and those a
 }
 
 TEST_CASE("processors: the instructions that Linux names in /proc/cpuinfo are found") {
-    std::ifstream file("/proc/cpuinfo");
     std::set<std::string> flags;
+#if defined(__x86_64__)  // an emulator shows the file of the machine below it
+    std::ifstream file("/proc/cpuinfo");
     for (std::string line; std::getline(file, line);) {
         if (line.rfind("flags", 0) != 0) continue;
         std::istringstream words(line);
         for (std::string word; words >> word;) flags.insert(word);
         break;
     }
+#endif
     if (flags.empty()) return;  // another processor, another system
     CHECK(base::has_avx2() == (flags.count("avx2") == 1));
     CHECK(base::has_avx512() ==
