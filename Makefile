@@ -100,6 +100,11 @@ test-windows: all zip ## the programs of the .zip under wine: evalglare's rows, 
 	@cmake --build "$(BUILD)" -j $(JOBS) --target mkstream
 	@BIN="$(BUILD)/bin" bash scripts/test_windows.sh build-windows
 
+check-macos: PARTS += wheel
+check-macos: ISPC = :
+check-macos: setup ## every file of lib and tools compiled for macOS, by zig's compiler; nothing is linked or run
+	@bash scripts/macos.sh build-macos
+
 wheel: PARTS += $(strip wheel $(ARM:aarch64=arm64))
 wheel: OLDER = sh scripts/glibc228.sh build-glibc228/root
 wheel: setup ## a Python wheel in out/wheel: the programs and `import luxpipe`; tools come from the package index
@@ -168,12 +173,13 @@ uninstall: ## remove what the last `make install` of this build put there
 	@xargs -r -d '\n' rm -fv < "$(BUILD)/install_manifest.txt" && rm -f "$(BUILD)/install_manifest.txt"
 
 clean: ## remove build/ and out/
-	@rm -rf "$(BUILD)" build-asan build-tsan build-fuzz build-arm64 build-glibc228 build-windows out
+	@rm -rf "$(BUILD)" build-asan build-tsan build-fuzz build-arm64 build-glibc228 build-windows \
+	    build-macos out
 
 setup:
 	@[ "$(SETUP)" = no ] || sh scripts/setup.sh $(PARTS)
 	@[ "$(SETUP)" = no ] || { $(FETCH); }
 
-.PHONY: help all everything demo live test test-gpu test-slurm test-deb test-arm64 test-sanitize fuzz deb wheel \
-	zip test-windows test-wheel release certificate year opencl-stacks bench coverage coverage-sensors compare-radiance \
-	compare-evalglare man site format lint install uninstall clean setup
+.PHONY: help all everything demo live test test-gpu test-slurm test-deb test-arm64 check-macos test-sanitize fuzz deb \
+	wheel zip test-windows test-wheel release certificate year opencl-stacks bench coverage coverage-sensors \
+	compare-radiance compare-evalglare man site format lint install uninstall clean setup
