@@ -38,7 +38,7 @@ sh "$here/apt_copy.sh" "$root" bookworm "$(dpkg --print-architecture)" libcli11-
 sh "$here/apt_copy.sh" "$root/loader" bullseye amd64 ocl-icd-libopencl1
 sh "$here/apt_copy.sh" "$root/source" bookworm source zlib imath openexr libpng1.6 fmtlib pugixml libmicrohttpd
 sh "$here/apt_copy.sh" "$root/source" bookworm upstream embree  # Debian's patches are for a shared library with TBB
-tar -xf "$root"/source/embree_*.orig.tar.* -C "$root/source"
+embree=$(sh "$here/embree_trees.sh" "$root/source")
 cp "$root"/loader/usr/lib/x86_64-linux-gnu/libOpenCL.so.1 "$root/usr/lib"
 ln -s libOpenCL.so.1 "$root/usr/lib/libOpenCL.so"
 
@@ -66,19 +66,8 @@ by_configure() {  # NAME FLAGS...
     by_cmake openexr -DOPENEXR_BUILD_TOOLS=OFF -DOPENEXR_INSTALL_EXAMPLES=OFF
     by_cmake fmtlib -DFMT_TEST=OFF -DFMT_DOC=OFF
     by_cmake pugixml
-    # it builds trees only: no rays, no kinds of geometry, one instruction set, and none of the files that take longest;
-    # two lines that print name what is not there, which clang 22 takes for an error
-    kernels=$(source_of embree)/kernels
-    sed -i '1,/^  )/{/curve_intersector_virtual_\|bvh_builder_hair\|bvh_intersector1_bvh4/d}' "$kernels/CMakeLists.txt"
-    sed -i 's/ << a\.u\.lower << ", " << a\.u\.upper//' "$kernels/subdiv/bezier_curve.h"
-    sed -i 's/ << line\.v0//' "$kernels/geometry/pointi.h"
-    : > "$kernels/../readme.pdf"  # Debian took it out
-    geometry=$(for kind in TRIANGLE QUAD CURVE SUBDIVISION USER INSTANCE GRID POINT; do
-        echo "-DEMBREE_GEOMETRY_$kind=OFF"
-    done)
     # shellcheck disable=SC2086  # several words
-    by_cmake embree -DEMBREE_STATIC_LIB=ON -DEMBREE_TASKING_SYSTEM=INTERNAL -DEMBREE_ISPC_SUPPORT=OFF \
-        -DEMBREE_TUTORIALS=OFF -DEMBREE_RAY_PACKETS=OFF -DEMBREE_MAX_ISA=SSE2 $geometry
+    by_cmake embree $embree
 } > "$log" 2>&1
 mkdir "$root/licences"
 for source in "$root"/source/*/; do
