@@ -92,7 +92,7 @@ test-deb: deb ## packages for Debian 12 and 13, each put into an empty one (debo
 
 zip: PARTS = windows
 zip: ISPC = :
-zip: setup ## ptaccum, vcmetrics, vcregion and vcyear for Windows, with their pages, as a .zip in out/zip
+zip: setup ## ptrace, ptaccum, vcmetrics, vcregion and vcyear for Windows, with their pages, as a .zip in out/zip
 	@JOBS=$(JOBS) FLAGS="$(FLAGS)" bash scripts/zip.sh out/zip
 
 test-windows: PARTS += tests windows wine

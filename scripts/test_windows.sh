@@ -1,7 +1,8 @@
 #!/bin/bash
 # SPDX-License-Identifier: BSD-3-Clause
-# test_windows.sh BUILD: the programs for Windows that were built in BUILD, under wine: evalglare's recorded runs, and
-# files beside those of this machine's programs ($BIN).  Wine is not Windows: its files, pipes and console are Linux's.
+# test_windows.sh BUILD: the programs for Windows that were built in BUILD, under wine: evalglare's recorded runs,
+# frames by their bits, and files beside those of this machine's programs ($BIN).  Wine is not Windows: its files, pipes
+# and console are Linux's.
 set -eu
 top=$(cd "$(dirname "$0")/.." && pwd)
 build=$(cd "$1" && pwd)
@@ -11,8 +12,11 @@ mkdir -p "$WINEPREFIX"
 wineserver -p  # one server for all runs
 trap 'wineserver -k' EXIT
 printf '#!/bin/sh\nexec wine "%s" "$@"\n' "$build/bin/vcmetrics.exe" > "$build/vcmetrics"
-chmod +x "$build/vcmetrics"
+printf '#!/bin/sh\nRAYPATH=$(echo "$RAYPATH" | tr : ";") exec wine "%s" "$@"\n' "$build/bin/ptrace.exe" \
+    > "$build/ptrace"
+chmod +x "$build/vcmetrics" "$build/ptrace"
 status=0
 bash "$top/scripts/golden_runs.sh" "$build/vcmetrics" -DOTHER_PROCESSOR || status=1
+python3 "$top/tests/parity/bits_frames.py" "$build" "$top" cpu:baseline cpu:avx2 || status=1
 TOP=$top BIN=$BIN bash "$top/tests/tools/windows.sh" || status=1
 exit $status

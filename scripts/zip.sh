@@ -10,17 +10,18 @@ umask 022
 build=$top/build-windows
 sh "$top/scripts/windows.sh" "$build/libraries"
 cmake -S "$top" -B "$build" -G Ninja --log-level=WARNING -DCMAKE_TOOLCHAIN_FILE="$top/cmake/windows.cmake" \
-    -DLUXPIPE_PTRACE=OFF -DBUILD_TESTING=OFF -DCMAKE_UNITY_BUILD=ON ${FLAGS:-} > /dev/null
+    -DLUXPIPE_OPENCL=OFF -DBUILD_TESTING=OFF -DCMAKE_UNITY_BUILD=ON ${FLAGS:-} > /dev/null
 cmake --build "$build" -j "${JOBS:-$(nproc)}" --target tools > /dev/null
 
 name=luxpipe-$(sed -n 's/^set(CPACK_PACKAGE_VERSION "\(.*\)")/\1/p' "$build/CPackConfig.cmake")-windows-x86_64
 rm -rf "$out/$name" "$out"/luxpipe-*.zip
-mkdir -p "$out/$name/manual"
-for tool in ptaccum vcmetrics vcregion vcyear; do
-    x86_64-w64-mingw32-strip -o "$out/$name/$tool.exe" "$build/bin/$tool.exe"
+mkdir -p "$out/$name/bin" "$out/$name/manual"
+for tool in ptrace ptaccum vcmetrics vcregion vcyear; do
+    x86_64-w64-mingw32-strip -o "$out/$name/bin/$tool.exe" "$build/bin/$tool.exe"
     mandoc -T html -O man=%N.%S.html "$top/man/$tool.1" > "$out/$name/manual/$tool.1.html"
 done
 cp "$top/LICENSE" "$out/$name/LICENSE.txt"
+cp -r "$build/share" "$out/$name/"  # the library of materials
 cp -r "$build/libraries/licences" "$out/$name/"
 cp /usr/share/doc/mingw-w64-common/copyright "$out/$name/licences/mingw-w64"
 cp /usr/share/doc/gcc-mingw-w64-base/copyright "$out/$name/licences/gcc"

@@ -23,6 +23,15 @@ bool again(int fd, short event) {
     return true;
 }
 
+// What is written to fd goes there.
+bool redirect(int fd, const char* path, int flags) {
+    errno = 0;
+    const int there = open(path, O_WRONLY | O_CLOEXEC | flags, 0666);
+    const bool done = there >= 0 && dup2(there, fd) >= 0;
+    if (there >= 0) close_descriptor(there);
+    return done;
+}
+
 }  // namespace
 
 int open_to_read(const std::string& path, bool waits) {
@@ -109,11 +118,7 @@ bool has_no_reader(int pipe) {
     return poll(&out, 1, 0) > 0 && (out.revents & POLLERR);
 }
 
-void lead_nowhere(int fd) {
-    const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
-    if (nowhere < 0) return;
-    dup2(nowhere, fd);
-    close(nowhere);
-}
+bool append_to(int fd, const std::string& path) { return redirect(fd, path.c_str(), O_CREAT | O_APPEND); }
+void lead_nowhere(int fd) { redirect(fd, "/dev/null", 0); }
 
 }  // namespace base

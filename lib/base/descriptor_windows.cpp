@@ -37,6 +37,15 @@ bool write_part(int fd, const void* data, size_t bytes) {
     return true;
 }
 
+// What is written to fd goes there.
+bool lead(int fd, const char* path, int flags) {
+    errno = 0;
+    const int there = _open(path, _O_WRONLY | _O_BINARY | _O_NOINHERIT | flags, _S_IREAD | _S_IWRITE);
+    const bool done = there >= 0 && _dup2(there, fd) == 0;
+    if (there >= 0) close_descriptor(there);
+    return done;
+}
+
 }  // namespace
 
 // A file that is open may be replaced by others.
@@ -88,11 +97,7 @@ bool is_terminal(int fd) {
 void widen_pipe(int) {}
 bool has_no_reader(int) { return false; }  // the next write tells
 
-void lead_nowhere(int fd) {
-    const int nowhere = _open("NUL", _O_WRONLY | _O_BINARY);
-    if (nowhere < 0) return;
-    _dup2(nowhere, fd);
-    _close(nowhere);
-}
+bool append_to(int fd, const std::string& path) { return lead(fd, path.c_str(), _O_CREAT | _O_APPEND); }
+void lead_nowhere(int fd) { lead(fd, "NUL", 0); }
 
 }  // namespace base

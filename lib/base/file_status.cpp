@@ -19,6 +19,7 @@ FileStatus status_from(int failed, const struct stat& s) {
     const FileKind kind = S_ISREG(s.st_mode)    ? FileKind::ordinary
                           : S_ISDIR(s.st_mode)  ? FileKind::folder
                           : S_ISFIFO(s.st_mode) ? FileKind::pipe
+                          : S_ISSOCK(s.st_mode) ? FileKind::socket
                                                 : FileKind::other;
     return {kind,
             {uint64_t(s.st_dev), uint64_t(s.st_ino), uint64_t(s.st_size), uint64_t(changed.tv_sec),
@@ -36,6 +37,9 @@ FileStatus status_of(int descriptor) {
     struct stat s = {};
     return status_from(fstat(descriptor, &s), s);
 }
+
+bool is_absolute(const std::string& path) { return path[0] == '/'; }
+const char between_folders = ':';
 
 bool may_read(const std::string& path) { return access(path.c_str(), R_OK) == 0; }
 bool may_write_in(const std::string& folder) { return access(folder.c_str(), W_OK | X_OK) == 0; }

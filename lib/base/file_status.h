@@ -14,7 +14,7 @@ struct FileStamp {
     bool operator==(const FileStamp& other) const { return std::memcmp(this, &other, sizeof other) == 0; }
 };
 
-enum class FileKind { none, ordinary, folder, pipe, other };
+enum class FileKind { none, ordinary, folder, pipe, socket, other };
 
 struct FileStatus {
     FileKind kind = FileKind::none;
@@ -30,6 +30,9 @@ struct FileStatus {
 FileStatus status_of(const std::string& path);
 FileStatus status_of(int descriptor);
 inline FileStamp stamp_of(const std::string& path) { return status_of(path).stamp; }
+
+bool is_absolute(const std::string& path);
+extern const char between_folders;  // of RAYPATH
 
 // False: errno says why.
 bool may_read(const std::string& path);

@@ -43,6 +43,9 @@ FileStatus status_of(int descriptor) {
     return file == INVALID_HANDLE_VALUE ? FileStatus{} : status_of_handle(file);
 }
 
+bool is_absolute(const std::string& path) { return path[0] == '/' || path[0] == '\\' || path.find(':') == 1; }
+const char between_folders = ';';
+
 bool may_read(const std::string& path) { return _access(path.c_str(), 4) == 0; }
 bool may_write_in(const std::string& folder) { return _access(folder.c_str(), 2) == 0; }
 

@@ -18,7 +18,7 @@ std::vector<std::string> raypath_from_environment() {
     if (!value) return {"."};
     std::vector<std::string> directories(1);
     for (const char* c = value; *c; c++)
-        if (*c == ':') directories.emplace_back();
+        if (*c == between_folders) directories.emplace_back();
         else directories.back() += *c;
     return directories;
 }
@@ -62,7 +62,7 @@ static std::string along_raypath(const std::string& name, const ReadOptions& opt
         const std::string path = home + name.substr(slash);
         return readable(path, options) ? path : "";
     }
-    if (name[0] == '/' || name[0] == '.' || options.raypath.empty()) return readable(name, options) ? name : "";
+    if (is_absolute(name) || name[0] == '.' || options.raypath.empty()) return readable(name, options) ? name : "";
     for (const std::string& directory : options.raypath) {
         const bool here = directory.empty() || directory == ".";
         const std::string path = here ? name : directory + "/" + name;
@@ -74,7 +74,7 @@ static std::string along_raypath(const std::string& name, const ReadOptions& opt
 // A place without a line is no file's.
 static std::string in_folder_of(const std::string& place, const std::string& name) {
     const size_t line = place.rfind(':');
-    if (line == std::string::npos || name.empty() || name[0] == '/' || name[0] == '~') return "";
+    if (line == std::string::npos || name.empty() || is_absolute(name) || name[0] == '~') return "";
     const size_t slash = place.rfind('/', line);
     return slash == std::string::npos ? name : place.substr(0, slash + 1) + name;
 }
@@ -95,7 +95,7 @@ static std::string look_as_written(const std::string& name, const ReadOptions& o
     std::string near = in_folder_of(place, name);
     if (!near.empty() && !readable(near, options)) near.clear();
     const std::string path = first_of(near, along_raypath(name, options), name, place);
-    return path.empty() && name[0] != '/' && name[0] != '~' ? beside_scene(name, options) : path;
+    return path.empty() && !is_absolute(name) && name[0] != '~' ? beside_scene(name, options) : path;
 }
 
 static std::string with_slashes(std::string name) {

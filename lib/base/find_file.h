@@ -29,7 +29,7 @@ struct ReadOptions {
     Opener opener(std::string place) const { return {std::move(place), &overlays, read.get()}; }
 };
 
-// The colon-separated directories of $RAYPATH; {"."} when it is not set.
+// The directories of $RAYPATH, which colons separate, on Windows semicolons; {"."} when it is not set.
 std::vector<std::string> raypath_from_environment();
 
 // Notes the folders of these files, so that a scene is found whole from anywhere (RADIANCE itself does not look there):

@@ -5,6 +5,8 @@
 #include <pthread.h>
 #include <sys/resource.h>
 
+#include <filesystem>
+
 namespace base {
 namespace {
 
@@ -31,5 +33,7 @@ void with_enough_stack(const std::function<void()>& body) {
 }
 
 std::vector<std::string> typed_words(int argc, char** argv) { return {argv, argv + argc}; }
+
+std::string program_file() { return std::filesystem::read_symlink("/proc/self/exe").string(); }
 
 }  // namespace base

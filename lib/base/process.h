@@ -17,5 +17,6 @@ void with_enough_stack(const std::function<void()>& body);
 
 // The words of the command line, the first being the program.
 std::vector<std::string> typed_words(int argc, char** argv);
+std::string program_file();  // its path
 
 }  // namespace base

@@ -36,4 +36,10 @@ std::vector<std::string> typed_words(int argc, char** argv) {
     return words;
 }
 
+std::string program_file() {
+    char path[1 << 15] = "";
+    GetModuleFileNameA(nullptr, path, sizeof path);
+    return path;
+}
+
 }  // namespace base

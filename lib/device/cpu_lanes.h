@@ -4,24 +4,30 @@
 #ifndef LUX_CPU_LANES_H
 #define LUX_CPU_LANES_H
 
-extern "C" {
-void LANE_CALL(layout)(uint32_t* sizes);
-void LANE_CALL(generate)(const SceneTables* s, const Params* par, const Paths* paths, uint32_t n, int* result);
-void LANE_CALL(shade)(const SceneTables* s, const Params* par, const Paths* paths, const uint32_t* queue, uint32_t n,
-                      int* result);
-void LANE_CALL(shadow)(const SceneTables* s, const Params* par, const Paths* paths, const uint32_t* queue, uint32_t n,
-                       const int* known);
-void LANE_CALL(suffix_roulette)(const Params* par, const Paths* paths);
-void LANE_CALL(transmittance)(const SceneTables* s, const Params* par, const Paths* paths, const uint32_t* connections,
-                              uint32_t n);
-void LANE_CALL(connect)(const SceneTables* s, const Params* par, const Paths* paths);
-void LANE_CALL(normalise_mis)(const Paths* paths, const uint32_t* queue, uint32_t n);
-void LANE_CALL(gather)(const Paths* paths);
+#ifdef _WIN32
+#define LANE_ABI __attribute__((sysv_abi))  // ispc compiles for Linux (CMakeLists.txt)
+#else
+#define LANE_ABI
+#endif
 
-void LANE_CALL(closest)(const SceneTables* s, const float* rays, uint32_t lanes, uint32_t on, uint32_t mask,
-                        float* hits);
-int LANE_CALL(any)(const SceneTables* s, const float* words, uint32_t mask);
-int LANE_CALL(cal)(const SceneTables* s, uint32_t entry, const float* vars, float* out);
+extern "C" {
+LANE_ABI void LANE_CALL(layout)(uint32_t* sizes);
+LANE_ABI void LANE_CALL(generate)(const SceneTables* s, const Params* par, const Paths* paths, uint32_t n, int* result);
+LANE_ABI void LANE_CALL(shade)(const SceneTables* s, const Params* par, const Paths* paths, const uint32_t* queue,
+                               uint32_t n, int* result);
+LANE_ABI void LANE_CALL(shadow)(const SceneTables* s, const Params* par, const Paths* paths, const uint32_t* queue,
+                                uint32_t n, const int* known);
+LANE_ABI void LANE_CALL(suffix_roulette)(const Params* par, const Paths* paths);
+LANE_ABI void LANE_CALL(transmittance)(const SceneTables* s, const Params* par, const Paths* paths,
+                                       const uint32_t* connections, uint32_t n);
+LANE_ABI void LANE_CALL(connect)(const SceneTables* s, const Params* par, const Paths* paths);
+LANE_ABI void LANE_CALL(normalise_mis)(const Paths* paths, const uint32_t* queue, uint32_t n);
+LANE_ABI void LANE_CALL(gather)(const Paths* paths);
+
+LANE_ABI void LANE_CALL(closest)(const SceneTables* s, const float* rays, uint32_t lanes, uint32_t on, uint32_t mask,
+                                 float* hits);
+LANE_ABI int LANE_CALL(any)(const SceneTables* s, const float* words, uint32_t mask);
+LANE_ABI int LANE_CALL(cal)(const SceneTables* s, uint32_t entry, const float* vars, float* out);
 }
 
 static Ray lane_ray(const float* words) {

@@ -5,17 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/wide.h"
 #include "image/grey.h"
 
 namespace render {
 using namespace kernels;
 
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
-#define LUX_WIDE __attribute__((target_clones("avx512f", "avx2", "default")))
-#else
-#define LUX_WIDE
-#endif
-LUX_WIDE void add_scaled(float* to, const float* from, float by, size_t n) {
+WIDEST_LOOP void add_scaled(float* to, const float* from, float by, size_t n) {
     for (size_t i = 0; i < n; i++) to[i] += by * from[i];
 }
 
@@ -84,8 +80,8 @@ void HourLight::add_suffix(const PathFactors& f, size_t path, float* to) const {
 namespace {
 
 // Adds to n values the same ones of rows of a matrix, each times its factor.
-LUX_WIDE void add_rows(float* to, const float* from, size_t row, const std::vector<uint32_t>& which, const float* by,
-                       size_t n) {
+WIDEST_LOOP void add_rows(float* to, const float* from, size_t row, const std::vector<uint32_t>& which, const float* by,
+                          size_t n) {
     typedef float Wide __attribute__((vector_size(64), aligned(4), may_alias));
     constexpr size_t wide = 16;
     size_t at = 0;

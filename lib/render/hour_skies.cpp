@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "base/angle.h"
+#include "base/wide.h"
 #include "flatten/pack.h"
 
 namespace render {
@@ -112,10 +113,7 @@ SkyBlock::SkyBlock(const HourSky* hours, size_t count) : count_(count) {
     }
 }
 
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
-__attribute__((target_clones("avx512f", "avx2", "default")))
-#endif
-void SkyBlock::radiance(const float* dir, bool mirrored, float* out) const {
+WIDEST_LOOP void SkyBlock::radiance(const float* dir, bool mirrored, float* out) const {
     const float dx = dir[0], dy = dir[1], dz = dir[2];
     const float weight = float(std::pow(double(dz) + 1.01, 20)), in = weight / (weight + 1), below = 1 / (weight + 1);
     const float slant = 1 / std::max(dz, .01f), disc = mirrored ? 1.f : 0.f;

@@ -2,6 +2,7 @@
 // read_scene(): files, octrees, meshes and the statements of scene text.
 #include "scene/reader.h"
 #include "base/error.h"
+#include "base/file_status.h"
 #include "base/find_file.h"
 #include "base/number.h"
 #include "base/printable.h"
@@ -112,7 +113,7 @@ void SceneReader::mesh(const base::TextReader& in, const std::string& path) {
     p.modifier = "void";
     const size_t slash = path.rfind('/') + 1;
     p.name = path.substr(slash, path.rfind('.') - slash);
-    p.strings = {path[0] == '/' || path[0] == '.' ? path : "./" + path};  // not along RAYPATH
+    p.strings = {base::is_absolute(path) || path[0] == '.' ? path : "./" + path};  // not along RAYPATH
     p.reals.clear();
     p.file = builder_.file(in.name());
     p.line = 1;

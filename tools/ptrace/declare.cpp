@@ -4,14 +4,13 @@
 // (docs/security.md).
 #include "declare.h"
 
-#include <fcntl.h>
 #include <fmt/core.h>
-#include <unistd.h>
 
-#include <cerrno>
 #include <filesystem>
 
+#include "base/descriptor.h"
 #include "base/error.h"
+#include "base/process.h"
 #include "base/value.h"
 #include "render/make_device.h"
 
@@ -20,12 +19,8 @@ namespace {
 using base::Arguments;
 using base::OptionTable;
 
-// Opened before stderr is given up, so that a failure is still reported there.
 void send_messages_to(const std::string& path) {
-    errno = 0;
-    const int fd = open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
-    if (fd < 0 || dup2(fd, 2) < 0) base::fail_system(path, "cannot be written");
-    close(fd);
+    if (!base::append_to(2, path)) base::fail_system(path, "cannot be written");
 }
 
 void read_frames(const std::string& text, Options& opt) {
@@ -62,10 +57,10 @@ void read_rif(const std::string& path, const std::vector<std::string>& assignmen
 
 // Beside the folder of the programs, in a build as where they are installed.
 std::string library() {
-    const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe");
+    const std::filesystem::path program = base::program_file();
     const std::filesystem::path folder = program.parent_path().parent_path() / "share/luxpipe/library";
-    if (!std::filesystem::is_directory(folder)) base::fail_system(folder.string(), "is not there");
-    return folder.string() + "\n";
+    if (!std::filesystem::is_directory(folder)) base::fail_system(folder.generic_string(), "is not there");
+    return folder.generic_string() + "\n";
 }
 
 std::string devices() {

@@ -2,8 +2,6 @@
 // ptrace's command line: read, what -rif brings, and what does not go together.
 #include "options.h"
 
-#include <sys/stat.h>
-
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -11,6 +9,7 @@
 
 #include "after.h"
 #include "base/error.h"
+#include "base/file_status.h"
 #include "base/model_folder.h"
 #include "base/run.h"
 #include "base/split.h"
@@ -179,10 +178,10 @@ void check(const Options& opt) {
     if (opt.watch && !opt.output.empty())
         base::fail("-watch", "works with a stream of frames, not with the files of -o");
     if (!opt.output.empty()) return check_output(opt);
-    struct stat info = {};
-    if (fstat(1, &info) != 0) base::fail_system("stdout", "cannot be written");
+    const base::FileKind out = base::status_of(1).kind;
+    if (out == base::FileKind::none) base::fail_system("stdout", "cannot be written");
     if (base::stdout_is_terminal()) base::fail("stdout", "pictures are binary; pipe them or name files with -o");
-    const bool reader = S_ISFIFO(info.st_mode) || S_ISSOCK(info.st_mode);
+    const bool reader = out == base::FileKind::pipe || out == base::FileKind::socket;
     if (!reader && opt.last == Options::endless)
         base::fail("-frames", "say how many frames; stdout has no reader that could end the stream");
 }

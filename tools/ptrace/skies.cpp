@@ -13,7 +13,7 @@
 #include "weather/sky.h"
 
 Sky sky_of_file(const std::string& path) {
-    return {std::filesystem::path(path).stem(), path, std::nullopt, false, "", {}};
+    return {std::filesystem::path(path).stem().string(), path, std::nullopt, false, "", {}};
 }
 
 // Noise differs from hour to hour, and no two runs of different -seed share any.
