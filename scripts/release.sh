@@ -53,7 +53,7 @@ part 'wheel ARCH=aarch64' 'out/wheel/aarch64/luxpipe-*.whl' 'Python 3.9 or later
 part deb 'out/deb/luxpipe_*.deb' 'Debian 12, x86-64' test-deb 'an empty Debian 12: installed, demo run, removed'
 part 'deb ARCH=arm64' 'out/deb/arm64/luxpipe_*.deb' 'Debian 12, ARM' 'test-deb ARCH=arm64' \
     'an empty Debian 12 for ARM under an emulator; the programs by `make test-arm64`; no machine'
-part zip 'out/zip/luxpipe*.zip' 'Windows: ptaccum, vcmetrics, vcregion, vcyear' \
+part zip 'out/zip/luxpipe*.zip' 'Windows: ptrace (without OpenCL), ptaccum, vcmetrics, vcregion, vcyear' \
     test-windows 'under wine; no machine'
 say
 [ "$tried" != yes ] || make --no-print-directory test-arm64 ALL=1 >&2
