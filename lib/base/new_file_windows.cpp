@@ -29,8 +29,15 @@ void take_permissions(int, const std::string&) {}
 
 bool close_written(int fd) { return _close(fd) == 0; }
 
+// A file that somebody reads, such as vcmetrics or a virus scanner, cannot be replaced for so long: it is tried for two
+// seconds.
 bool replace_file(const std::string& path, const std::string& target) {
-    if (MoveFileExA(path.c_str(), target.c_str(), MOVEFILE_REPLACE_EXISTING)) return true;
+    for (int tries = 0; tries < 40; tries++) {
+        if (MoveFileExA(path.c_str(), target.c_str(), MOVEFILE_REPLACE_EXISTING)) return true;
+        const DWORD why = GetLastError();
+        if (why != ERROR_ACCESS_DENIED && why != ERROR_SHARING_VIOLATION) break;
+        Sleep(50);
+    }
     errno = EACCES;
     return false;
 }
