@@ -46,6 +46,7 @@ part() {
 
 git archive --prefix="$name/" HEAD | gzip -9n > "$out/$name.tar.gz"
 say "| $name.tar.gz | $(stat -c %s "$out/$name.tar.gz") | sources | \`make test\` of that commit |"
+# first, as it fetches ispc where there is none: so the packages for x86-64 have lanes, too
 part wheel 'out/wheel/luxpipe-*.whl' 'Python 3.9 or later, Linux, x86-64' test-wheel \
     'empty Debians 11 to 13, no compiler, no OpenCL: frames by bits, pipe, page, `import luxpipe`'
 part 'wheel ARCH=aarch64' 'out/wheel/aarch64/luxpipe-*.whl' 'Python 3.9 or later, Linux, ARM' \
