@@ -16,8 +16,8 @@ cmake --build "$build" -j "${JOBS:-$(nproc)}" --target tools > /dev/null
 name=luxpipe-$(sed -n 's/^set(CPACK_PACKAGE_VERSION "\(.*\)")/\1/p' "$build/CPackConfig.cmake")-windows-x86_64
 rm -rf "$out/$name" "$out"/luxpipe-*.zip
 mkdir -p "$out/$name/bin" "$out/$name/manual"
-for tool in ptrace ptaccum vcmetrics vcregion vcyear; do
-    x86_64-w64-mingw32-strip -o "$out/$name/bin/$tool.exe" "$build/bin/$tool.exe"
+for tool in ptrace ptaccum vcmetrics vcregion vcyear; do  # -p: without the time of day
+    x86_64-w64-mingw32-strip -p -o "$out/$name/bin/$tool.exe" "$build/bin/$tool.exe"
     mandoc -T html -O man=%N.%S.html "$top/man/$tool.1" > "$out/$name/manual/$tool.1.html"
 done
 cp "$top/LICENSE" "$out/$name/LICENSE.txt"
