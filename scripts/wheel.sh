@@ -3,7 +3,7 @@
 # wheel.sh OUT: builds a Python wheel of the source tree in OUT.
 # scikit-build-core runs CMake, auditwheel puts the shared libraries in, among them OpenCL's loader: where a machine has
 # no OpenCL it finds no device, and ptrace renders on the processor.  Versions are pinned, as they shape the bytes.
-# For x86-64 the compiler and libraries are those of cmake/glibc228.cmake; ARCH=aarch64: for ARM, cmake/arm64.cmake.
+# cmake/glibc228.cmake names the compiler and libraries for x86-64, cmake/arm64.cmake those for ARM (ARCH=aarch64).
 # The time in the wheel is SOURCE_DATE_EPOCH, else that of the last commit, else of CHANGELOG.md.
 set -euo pipefail
 mkdir -p "$1" && out=$(cd "$1" && pwd) && top=$(cd "$(dirname "$0")/.." && pwd)

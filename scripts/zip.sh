@@ -11,12 +11,14 @@ build=$top/build-windows
 sh "$top/scripts/windows.sh" "$build/libraries"
 cmake -S "$top" -B "$build" -G Ninja --log-level=WARNING -DCMAKE_TOOLCHAIN_FILE="$top/cmake/windows.cmake" \
     -DLUXPIPE_OPENCL=OFF -DBUILD_TESTING=OFF -DCMAKE_UNITY_BUILD=ON ${FLAGS:-} > /dev/null
-cmake --build "$build" -j "${JOBS:-$(nproc)}" --target tools > /dev/null
+cmake --build "$build" -j "${JOBS:-$(nproc)}" --target tools > "$build/log" ||
+    { tail -n 30 "$build/log" >&2; exit 2; }
 
 name=luxpipe-$(sed -n 's/^set(CPACK_PACKAGE_VERSION "\(.*\)")/\1/p' "$build/CPackConfig.cmake")-windows-x86_64
 rm -rf "$out/$name" "$out"/luxpipe-*.zip
 mkdir -p "$out/$name/bin" "$out/$name/manual"
-for tool in ptrace ptaccum vcmetrics vcregion vcyear; do  # -p: without the time of day
+for tool in ptrace ptaccum vcmetrics vcregion vcyear; do
+    # -p: otherwise strip writes the time of day into the program
     x86_64-w64-mingw32-strip -p -o "$out/$name/bin/$tool.exe" "$build/bin/$tool.exe"
     mandoc -T html -O man=%N.%S.html "$top/man/$tool.1" > "$out/$name/manual/$tool.1.html"
 done

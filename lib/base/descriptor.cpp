@@ -23,7 +23,7 @@ bool again(int fd, short event) {
     return true;
 }
 
-// What is written to fd goes there.
+// Makes fd write to the file of this path; opened first, so that stderr still works where that fails.
 bool redirect(int fd, const char* path, int flags) {
     errno = 0;
     const int there = open(path, O_WRONLY | O_CLOEXEC | flags, 0666);

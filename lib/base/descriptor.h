@@ -25,7 +25,7 @@ bool is_terminal(int fd);
 bool make_pipe(int ends[2]);  // one to read, one to write; children inherit neither
 void widen_pipe(int fd);      // fewer switches between two programs; a wish only
 bool has_no_reader(int pipe);
-bool append_to(int fd, const std::string& path);  // what is written goes behind the end of this file
+bool append_to(int fd, const std::string& path);  // what fd gets from now on is appended to this file
 void lead_nowhere(int fd);  // what is written is lost, and the reader of the pipe gets its end at once
 
 }  // namespace base

@@ -37,8 +37,8 @@ bool write_part(int fd, const void* data, size_t bytes) {
     return true;
 }
 
-// What is written to fd goes there.
-bool lead(int fd, const char* path, int flags) {
+// Makes fd write to the file of this path; opened first, so that stderr still works where that fails.
+bool redirect(int fd, const char* path, int flags) {
     errno = 0;
     const int there = _open(path, _O_WRONLY | _O_BINARY | _O_NOINHERIT | flags, _S_IREAD | _S_IWRITE);
     const bool done = there >= 0 && _dup2(there, fd) == 0;
@@ -97,7 +97,7 @@ bool is_terminal(int fd) {
 void widen_pipe(int) {}
 bool has_no_reader(int) { return false; }  // the next write tells
 
-bool append_to(int fd, const std::string& path) { return lead(fd, path.c_str(), _O_CREAT | _O_APPEND); }
-void lead_nowhere(int fd) { lead(fd, "NUL", 0); }
+bool append_to(int fd, const std::string& path) { return redirect(fd, path.c_str(), _O_CREAT | _O_APPEND); }
+void lead_nowhere(int fd) { redirect(fd, "NUL", 0); }
 
 }  // namespace base

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// See new_file.h.  Permissions and owners are those of the folder, and a link is replaced, not its file.
+// See new_file.h.  A new file gets the folder's permissions and owner.  A link is replaced, not the file it names.
 #include "base/new_file.h"
 
 #include <fcntl.h>

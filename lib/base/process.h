@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What every program does before it reads its options.
+// What every program sets up before it reads its options, and where its own file is.
 #pragma once
 #include <cstddef>
 #include <functional>
@@ -17,6 +17,6 @@ void with_enough_stack(const std::function<void()>& body);
 
 // The words of the command line, the first being the program.
 std::vector<std::string> typed_words(int argc, char** argv);
-std::string program_file();  // its path
+std::string program_file();  // the path of the program that runs
 
 }  // namespace base
