@@ -48,6 +48,9 @@ grep() {
     esac
 }
 
+# not COMMAND: inside a check, where set -e takes no notice of "!" unless it comes last.
+not() { ! "$@"; }
+
 # report ok|bad sentence [command]: one TAP line; a failure shows the command and what it said.
 report() {
     tests_run=$((tests_run + 1))

@@ -63,4 +63,4 @@ done
 
 check 'a name that is lost is seen' '
     grep -v -e "^-next$" vcyear.options > fewer
-    ! none_lost option vcyear fewer 2> said; grep -qx "option of vcyear is lost: -next" said'
+    not none_lost option vcyear fewer 2> said; grep -qx "option of vcyear is lost: -next" said'

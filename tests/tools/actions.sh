@@ -12,7 +12,7 @@ named() { LC_ALL=C sed "s|^FRAME=|VIEWNAME=$1\n&|"; }  # a view of that name
 
 check 'pictures of actions go to files beside the ordinary one' '
     ptaccum -last -o office.exr < all.str; strings office_mel.exr | grep -q "^ACTION=mel 9 lx"
-    ! strings office.exr | grep -q ACTION=; [ "$(echo office*.exr | wc -w)" = 3 ]; [ -e office_V.exr ]'
+    strings office.exr | not grep -q ACTION=; [ "$(echo office*.exr | wc -w)" = 3 ]; [ -e office_V.exr ]'
 check 'and those of several views likewise' '
     for v in desk door; do named $v < all.str; done | ptaccum -last -o "%s.exr"
     ls desk.exr desk_mel.exr desk_V.exr door.exr door_mel.exr door_V.exr'

@@ -24,7 +24,7 @@ kind() {
         cp "model/$name" "$name"; looks model/s.rad model/sky.rad > here; cmp alone here; [ ! -s said ]
         other > "$name"; printf "%s\n" "!xform model/s.rad" > s.rad   # named by a file of this folder
         looks s.rad model/sky.rad > here; cmp alone here
-        mv "model/$name" kept; ! cmp <(looks model/s.rad model/sky.rad) alone; [ ! -s said ]; mv kept "model/$name"
+        mv "model/$name" kept; not cmp <(looks model/s.rad model/sky.rad) alone; [ ! -s said ]; mv kept "model/$name"
         rm "$name"'
 }
 

@@ -21,5 +21,5 @@ check 'intervals hold, 95 % less three standard deviations of 60 tries (the skie
 check 'compare.py: the own values, and a value that is not there' \
     'cut -f1-3,5 rows.tsv | grep -v "^#" > values.tsv; python3 -B "$study/compare.py" values.tsv > compared &&
      grep -q "^5.7	2	" compared; printf "case\tpoint\tsky\tvalue\n7.1\tA\t1\t3\n" > other.tsv
-     ! python3 -B "$study/compare.py" other.tsv 2> message; grep -q "no such value: 7.1 A 1" message'
+     not python3 -B "$study/compare.py" other.tsv 2> message; grep -q "no such value: 7.1 A 1" message'
 check 'the page has the figures of its tables' 'python3 -B "$TOP/studies/certificate/page.py" -check >&2'

@@ -132,7 +132,7 @@ check 'a preview leaves the size of later pictures as it was' '
     begin -control ctl $eye; await "[ -s f ] && [ \$(frames) -gt 3 ]"
     echo "preview -x 9 -y 9" > ctl; await "[ -s said ]"; grep -q "^ptrace: ctl: a preview has a size of its own" said
     echo "view -vp 1 -4 2" > ctl; await "grep -aq \"^EDIT=1 view\" f"; settle; end
-    ! grep -aq "^-Y 9 +X 9" f; as_alone "$eye -vp 1 -4 2"'
+    not grep -aq "^-Y 9 +X 9" f; as_alone "$eye -vp 1 -4 2"'
 check 'next ends a preview' '
     { sleep 1; printf "preview -vp 1 -4 2\n" > ctl; sleep 1; echo next > ctl; } &
     ptrace -moments- -control ctl -x 8 -y 8 $eye m.rad s.rad | cat > t; wait; grep -aq "^EDIT=1 preview" t'

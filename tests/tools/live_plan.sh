@@ -53,8 +53,8 @@ check 'a change of a file of points begins the plan anew; a mistake in it is sai
     mv good desk.pts; whole 2; told; batch 300 $scene | cmp - told; end'
 check 'points among the scene are no part of it; without points there is no plan' '
     cp desk.pts desk.PTS; begin desk.PTS
-    ask GET "/next?picture=99999" > news; ! grep -aq "plan.:null" news; whole 0; end
-    begin; ask GET "/next?picture=99999" > news; grep -aq "plan.:null" news; ! ask POST "/plan?limit=5"; end'
+    ask GET "/next?picture=99999" > news; not grep -aq "plan.:null" news; whole 0; end
+    begin; ask GET "/next?picture=99999" > news; grep -aq "plan.:null" news; not ask POST "/plan?limit=5"; end'
 check 'a folder of Honeybee has its points' '
     cp -r "$TOP/examples/exports/honeybee" model; mkdir -p "model/grid/floor 1"
     cp desk.pts "model/grid/floor 1/room.PTS"; view= scene="model sky_day.rad"

@@ -60,7 +60,7 @@ check 'a report has the numbers of the line, of an edit that is not saved, too, 
     grep -q "sky_day.rad (as changed in the page)</td><td>$hash" report
     grep -q "ptrace -frames 33 -vf view.vf -x 64 -y 64 -vta .* -x 64 -y 64 -frames 0:32 materials.rad" report
     ! grep -q "<td>low.TAL</td>\|low/high.CR</td>" report  # nobody has drawn them
-    ! grep -q "$TMPDIR" report; kill $live; ended'
+    not grep -q "$TMPDIR" report; kill $live; ended'
 # The commands of a report, as a script.
 commands() {
     python3 -c "import html, re, sys

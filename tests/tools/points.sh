@@ -14,7 +14,7 @@ printf '0 0 0.1 1 0 0\r\n' > 'wall.a.pts'
 check 'each file is a grid; the header says which pixels are its own' '
     ptrace -points desk.pts -points wall.a.pts -frames 2 sky.rad room.rad | ptaccum -last -ff > both
     grep -aqx "GRID=desk 0 2 irradiance [0-9a-f]\{16\}" both; grep -aqx "GRID=wall.a 2 1 irradiance [0-9a-f]\{16\}" both
-    grep -aqx -e "-Y 2 +X 2" both; ! grep -aq "^VIEW=" both; grep -aqx "FRAME0=0" both'
+    grep -aqx -e "-Y 2 +X 2" both; not grep -aq "^VIEW=" both; grep -aqx "FRAME0=0" both'
 check 'the standard input is one, too' '
     ptrace -points - -frames 2 sky.rad room.rad < desk.pts | ptaccum -last -ff | grep -aq "^GRID=points 0 2 irradiance"'
 check 'a folder stands for its .pts files, in the order of their names' '
@@ -80,7 +80,7 @@ check 'points that no light reaches are named: below the floor, for one' '
 check 'but not under direct light alone, where shadows are dark and every frame is the same' '
     ptrace -ab 0 -points dark.pts -frames 3 sky.rad room.rad 2> said | ptaccum -every 1 -o - |
         vcmetrics -ci 95 -metrics dark.mean > rows
-    ! grep "no light" said; tail -n 1 rows | awk "{ exit !(\$3 > 0 && \$3 == \$4 && \$3 == \$5) }"'
+    not grep "no light" said; tail -n 1 rows | awk "{ exit !(\$3 > 0 && \$3 == \$4 && \$3 == \$5) }"'
 
 stream() { ptrace -points desk.pts -points wall.a.pts -frames "$1" sky.rad room.rad | ptaccum -every x2 -o -; }
 check 'vcmetrics prints numbers of each grid, with intervals' '

@@ -60,7 +60,7 @@ check 'without moments of pixels it says DGP, and why' '
     grep -q "<p>DGP <data" plain.html; grep -q "no moments of its pixels" plain.html; ! grep -q "<p>DGPf" plain.html
     [ "$(vcmetrics -W- -metrics DGP last.hdr | tail -n 1 | cut -f 2)" = "$(
         grep -o "<p>DGP <data value=\"[0-9.]*" plain.html | cut -d \" -f 2)" ]
-    ! grep -q "no moments" file.html; vcmetrics -W- -G 1 -report cut.html last.exr > lines
+    not grep -q "no moments" file.html; vcmetrics -W- -G 1 -report cut.html last.exr > lines
     grep -q "<p>DGP <data" cut.html'
 check 'of a picture without light it says so' '
     ptrace -vf view.vf -x 32 -y 32 -frames 2 materials.rad room.rad | ptaccum -last -o black.exr

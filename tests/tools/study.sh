@@ -19,11 +19,11 @@ check 'interrupted and resumed: the same table, no picture twice' '
     make "${small[@]}" OUT=part > log1 & p=$!  # not in a function: make itself is to be ended
     until ls part/*.tsv > some 2>&1; do sleep .1; done
     kill $p; wait $p || true
-    ! test -e part/table.tsv; before=$(ls part/desk_*.exr | grep -vc part[.]exr); [ "$before" -lt 8 ]
+    not test -e part/table.tsv; before=$(ls part/desk_*.exr | grep -vc part[.]exr); [ "$before" -lt 8 ]
     study OUT=part > log2; [ $((before + $(pictures_made log2))) = 8 ]; cmp part/table.tsv whole/table.tsv'
 check 'a part of the scene that has changed makes exactly its pictures again' '
     sleep 1; touch whole/blinds_35.rad; study OUT=whole > log; [ "$(pictures_made log)" = 4 ]
-    ! grep -q "blinds_0.rad.*-last -o" log; study OUT=whole | grep -q "Nothing to be done"
+    not grep -q "blinds_0.rad.*-last -o" log; study OUT=whole | grep -q "Nothing to be done"
     touch ../../examples/scenes/office/furniture.rad; study OUT=whole > log; [ "$(pictures_made log)" = 8 ]'
 check 'other words, too' 'study OUT=whole FRAMES=1 > log; [ "$(pictures_made log)" = 8 ]'
 

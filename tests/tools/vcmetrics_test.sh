@@ -176,7 +176,7 @@ for frame in stream.split(b\"#?RADIANCE\\n\")[1:]:  # black in frame 0
     ptaccum < dark.lux | vcmetrics -metrics Ev > rows; [ "$(wc -l < rows)" = 4 ]
     [ "$(sed -n 2p rows | cut -f 3)" = 0 ]'
 check 'patches of it: evalglare says nothing of corners' '
-    ! vcmetrics -like evalglare -z 20 1 err_corners.hdr > out 2> said; test ! -s out; grep -q "need an angular" said'
+    not vcmetrics -like evalglare -z 20 1 err_corners.hdr > out 2> said; test ! -s out; grep -q "need an angular" said'
 even() {  # 15 x 15 pixels of one luminance, seen in this direction
     printf '#?RADIANCE\nVIEW= -vta -vd %s -vh 180 -vv 180\nFORMAT=32-bit_rle_rgbe\n\n-Y 15 +X 15\n' "$1"
     printf '\200\200\200\202%.0s' $(seq 225)

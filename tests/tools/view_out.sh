@@ -37,10 +37,10 @@ check 'the sight angle of a window 3 m and 1.2 m away: 2 atan .2 and 2 atan .5' 
     done'
 check 'layers: the house, the sky above it; the ground at its foot only near the window' '
     seen "landscape modifier facade" "0 3 1.2"; seen "sky modifier skyglow" "0 3 1.2"
-    ! seen "ground modifier groundglow" "0 3 1.2"; grep -q "\"ground\" is empty" said
+    not seen "ground modifier groundglow" "0 3 1.2"; grep -q "\"ground\" is empty" said
     seen "ground modifier groundglow" "0 .5 1.2"'
 check 'no sky from where the head of the window hides it: 2.3 m under 6 m' '
-    ! seen "sky modifier skyglow" "0 4.9 2"; grep -q "\"sky\" is empty" said'
+    not seen "sky modifier skyglow" "0 4.9 2"; grep -q "\"sky\" is empty" said'
 check 'the house is more than 20 m away, and less than 50' '
-    ! seen "near surface house* within box3d -60 -20 -10 60 0 10" "0 3 1.2"; grep -q "\"near\" is empty" said
+    not seen "near surface house* within box3d -60 -20 -10 60 0 10" "0 3 1.2"; grep -q "\"near\" is empty" said
     seen "near surface house* within box3d -60 -50 -10 60 0 10" "0 3 1.2"'

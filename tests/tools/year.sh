@@ -38,4 +38,4 @@ check 'the study has a page with classes, plan, worst hours and heat maps' '
 check 'a second make renders nothing; a share that is gone is made again' '
     touch -r "$TMP/out/hours.1.tsv" then; study > again; [ ! -s again ]
     rm "$TMP/out/hours.2.tsv"; study > again; test -s "$TMP/out/hours.2.tsv"
-    ! [ "$TMP/out/hours.1.tsv" -nt then ]; [ -s again ]'
+    not [ "$TMP/out/hours.1.tsv" -nt then ]; [ -s again ]'

@@ -59,7 +59,7 @@ check 'each hour of the maps says its state and why' '
 check 'parts that no table tells are there with their rule' '
     page -viewout out.tsv; says "Daylight provision not counted &ndash; minimum: 300 lx"
     says "Exposure to sunlight not counted &ndash; minimum: the sun, from a height that the norm"'
-check 'a page of glare alone has no parts' 'page; ! says "Part of EN 17037"; says "Glare in 730 hours of a year"'
+check 'a page of glare alone has no parts' 'page; not says "Part of EN 17037"; says "Glare in 730 hours of a year"'
 check_error 'a plane needs the daylight hours' 1 '^vcyear: -plane: needs the weather file of the year .-en17037.$' \
     'page -plane floor.tsv'
 check_error 'openings need a day' 1 '^vcyear: -openings: needs the day and the lowest sun .-sunlight.$' \
