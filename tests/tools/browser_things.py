@@ -21,6 +21,13 @@ def choose(name, n=0):
 
 
 check('a picture comes', page.until('document.body.dataset.picture > 0 && document.body.dataset.lines > 3', SECONDS))
+# Where the head ends and its buttons are, at each frame of the page: what moves under the pointer loses a click.
+page.chrome.execute_script("""const places = window.places = new Set(), look = () => {
+        places.add(['#undo', '#redo', '#report', '#side'].map((css) => {
+            const at = document.querySelector(css).getBoundingClientRect();
+            return `${css} ${at.x} ${at.y}`; }).join(', '));
+        requestAnimationFrame(look); };
+    look();""")
 files = page.js('[...document.querySelectorAll("#model-file option")].map((o) => o.text)')
 check('files of the library are none to edit', files == ['materials.rad', 'open.rad', 'sky_day.rad'], files)
 point(.8, .3)
@@ -55,6 +62,7 @@ check('its picture is rendered', soon(lambda: page.rows('#edits')[0][0] == 'blin
                                       int(page.rows('#edits')[0][1]) > 0, SECONDS), page.rows('#edits'))
 point(.547, .43)
 check('the picture has its slats', soon(lambda: 'blind_1' in here(), SECONDS), here())
+check('nothing moved while the numbers came and went', len(page.js('[...places]')) == 1, page.js('[...places]'))
 
 # The sky
 sky = lambda: re.search(r'^!.*$', page.text('#model-text'), re.M).group()
