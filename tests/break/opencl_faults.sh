@@ -84,7 +84,7 @@ check 'a device that gives other bits is told of, and has another fingerprint' '
     grep -q "^ptrace: warning: opencl: .* gives other bits than the processor in .*division" said
     strings f1.hdr | grep -q "^FINGERPRINT=.* device:"'
 check 'samples that are not numbers end the run' '
-    run read:3=nan opencl; [ $status = 2 ] && [ $made = 0 ]
+    run read:3=nan opencl; [ $status = 2 ]; [ $made = 0 ]
     grep -q "^ptrace: 100 % of a pass.s samples are not numbers" said'
 # A spoiled GPU follows the tree of bytes (LUX_COMPACT).
 frames_of_room=$frames

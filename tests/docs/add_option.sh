@@ -52,5 +52,5 @@ check 'another value is another fingerprint' '
     one=$(fingerprint -made-up 0); two=$(fingerprint -made-up 1); [ -n "$one" ] && [ "$one" != "$two" ]'
 check 'the test of options passes' 'build/bin/ptrace_options_test'
 check 'it fails where .moves_pixels() is forgotten, and names the option' '
-    sed -i "/-made-up/s/\.moves_pixels()//" tree/lib/render/options.cpp && build
+    sed -i "/-made-up/s/\.moves_pixels()//" tree/lib/render/options.cpp; build
     ! build/bin/ptrace_options_test > said && grep -q -- "-made-up" said'

@@ -120,7 +120,7 @@ check 'the test of the mixture builds with it' 'build_unit tree'
 check 'it passes: the estimator is unbiased' 'tree/test'
 check 'it fails if the pdf does not know the technique' '
     cp -r tree broken
-    sed -i "s|^    w = beacon_weight(.*|    w = 0.0f;|" broken/lib/kernels/sampling/mixture.h && build_unit broken
+    sed -i "s|^    w = beacon_weight(.*|    w = 0.0f;|" broken/lib/kernels/sampling/mixture.h; build_unit broken
     ! broken/test > said && grep -q "mean" said'
 
 # Pictures by path reuse: those of the copy, by its baseline kernels, against those of the build.

@@ -57,7 +57,7 @@ check 'vcmetrics-formulas(7) has the columns that -help lists' '
 
 check "evalglare's options stand under -help evalglare, the others under -help" '
     help_items vcmetrics "" > own; help_items vcmetrics evalglare > others
-    grep -q "^-metrics" own; grep -q "^-T x y angle" others; ! vcmetrics -help | grep "not here"
+    grep -q "^-metrics" own; grep -q "^-T x y angle" others; vcmetrics -help | not grep "not here"
     [ "$(cat own others | sort)" = "$(sort vcmetrics.items.all)" ]; [ "$(wc -l < others)" -gt 35 ]'
 
 printf -- '-x n\tSize (3).\n' > one.items

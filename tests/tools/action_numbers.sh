@@ -18,7 +18,7 @@ within_row() { awk -v is="$1" -v by="$2" "{ exit !(\$2 > is - by && \$2 < is + b
 
 check 'grey under D65: melanopic EDI is the illuminance, and DER is 1' '
     ptrace -w- $view -action mel -action V sky.rad grey.rad | measured -metrics Ev,mEDI,mDER,EvV > rows 2> said
-    within mDER .9999 1.0001 < rows; within mDER.lo .9999 1 < rows; ! grep "by V" said
+    within mDER .9999 1.0001 < rows; within mDER.lo .9999 1 < rows; not grep "by V" said
     awk "NR == 2 && ((\$6/\$3 - 1)^2 > 1e-6 || (\$12/\$3 - 1)^2 > 1e-6) { print; exit 1 }" rows'
 check 'under A it is .4957, with a grey floor too' '
     ptrace -w- $view -action mel -action V -daylight A sky.rad grey.rad | measured -metrics mDER > rows
@@ -42,7 +42,7 @@ check 'and hours of a year' '
     printf "weather_data_file_units 1\n6 21 5.5 0 0\n6 21 12.5 700 90\n12 21 12.5 0 10\n" >> y.wea
     small="-vta -vp 0 0 1 -vd 0 1 0 -vu 0 0 1 -vv 180 -vh 180 -x 16 -y 16 -wea y.wea -frames 9"
     ptrace -w- $small -action mel grey.rad 2> said | ptaccum -every x2/8 |
-        vcmetrics -metrics Ev,DGP,mEDI -ci 95 -last > hours.tsv 2> said; ! grep "there is none" said
+        vcmetrics -metrics Ev,DGP,mEDI -ci 95 -last > hours.tsv 2> said; not grep "there is none" said
     ptrace -w- $small grey.rad 2> said | ptaccum -every x2/8 | vcmetrics -metrics Ev,DGP -ci 95 -last > plain.tsv
     vcyear hours.tsv 2> said > five; grep -v mEDI five | diff - <(vcyear plain.tsv 2> said)
     grep -q "^mEDI      136 lx in 2, 250 lx in 2 of 3 hours" five'

@@ -47,7 +47,7 @@ check 'who asks for no action has the rows of before' '
     cut -f 1,3- with | diff - <(cut -f 1,3- without)'
 check 'files one after another count, too' '
     ptaccum -last -o f.exr < long.str; columns Ev,mEDI,mDER f.exr f_mel.exr f_V.exr > rows
-    ! grep -v "illuminance by V" said
+    not grep -v "illuminance by V" said
     [ "$(cut -f 1 rows | tr "\n" " ")" = "file f.exr f_mel.exr f_V.exr " ]
     tail -n 1 rows | awk "{ exit (\$8 - .5)^2 > 1e-8 }"
     columns mEDI f.exr f_mel.exr f.exr f_mel.exr | cut -f 1 | tr "\n" " " > rows

@@ -121,7 +121,7 @@ check 'a drag whose next step comes before a step is read shows pictures all the
 check 'a "next" that arrives while an edit fails ends the picture that goes on' '
     live > live.str 2> said & p=$!
     exec 9> ctl; frames 0; printf "overlay blind.rad 7\nbroken\nnext\n" >&9
-    for i in $(seq 200); do kill -0 $p 2> /dev/null || break; sleep .1; done; ! kill $p 2> /dev/null; exec 9>&-
+    for i in $(seq 200); do kill -0 $p 2> /dev/null || break; sleep .1; done; not kill $p 2> /dev/null; exec 9>&-
     wait $p; grep -q "^ptrace: blind.rad:2: " said'
 check 'an unknown word and a line without end are reported' '
     (sleep .5; echo "jump up"; head -c 70000 /dev/zero | tr "\0" x; echo; echo next) > ctl &

@@ -141,7 +141,7 @@ check 'hours without values are counted, and are rows of nan' '
 check 'they are undecided in a year' '
     ptaccum < with.str | vcmetrics -metrics Ev,DGPf,DGP.px,DGPf.px,pixels -ci 95 -last > t.tsv
     vcyear t.tsv > year; grep -qE "^hours     5, 2 dark, [1-3] undecided, 1 without values$" year
-    ! vcyear -next t.tsv | grep 1222_1330
+    vcyear -next t.tsv | not grep 1222_1330
     vcyear e.tsv > year; grep -qE "^hours     5, 2 dark, 1 sensors, 1 without values$" year'
 check_error 'but one that is named is an error' 1 \
     '^ptrace: y.wea:11: the direct normal irradiance of 1222_1330 is 9999 W/m2: missing, or wrong$' \

@@ -72,8 +72,8 @@ options_of() {
     ptrace -rif t.rif -w- -frames 1 "$@" | strings | sed -n "s/^FINGERPRINT=.*options:\([0-9a-f]*\).*/\1/p"
 }
 check 'words of rad after a rad input file stand for lines of it' '
-    [ "$(options_of)" = "$(options_of QUALITY=High)" ] && [ "$(options_of)" != "$(options_of QUALITY=Low)" ]
-    [ "$(options_of up QUAL=Low)" = "$(options_of QUALITY=Low)" ] && [ -n "$(options_of)" ]
+    [ "$(options_of)" = "$(options_of QUALITY=High)" ]; [ "$(options_of)" != "$(options_of QUALITY=Low)" ]
+    [ "$(options_of up QUAL=Low)" = "$(options_of QUALITY=Low)" ]; [ -n "$(options_of)" ]
     ptrace -rif t.rif -w- -frames 1 RES=8 up | head -c 1000 | strings | grep -qx -e "-Y 8 +X 8"'
 check 'options after -rif come later than they' '
     ptrace -rif t.rif -x 4 -y 4 -w- -frames 1 RES=8 up | head -c 1000 | strings | grep -qx -e "-Y 4 +X 4"'

@@ -47,7 +47,7 @@ check 'a change of a file of points begins the plan anew; a mistake in it is sai
     begin $points; whole 0; cp desk.pts good; sed 1,9d good > new; mv new desk.pts
     whole 1; told; batch 300 $scene | cmp - told
     echo "1 2 3" >> desk.pts; await "grep -q desk.pts:32: said"
-    await "state; [ \"\$(of_state waits)\" = true ]"; ! ask GET "/plan?picture=$(of_state number)"
+    await "state; [ \"\$(of_state waits)\" = true ]"; not ask GET "/plan?picture=$(of_state number)"
     ask GET "/next?picture=99999" | grep -aq "messages.:.*desk.pts:32: .*current.:[1-9]"
     sed 1,9d good > new; mv new desk.pts; whole 1; told; batch 300 $scene | cmp - told
     mv good desk.pts; whole 2; told; batch 300 $scene | cmp - told; end'

@@ -44,9 +44,9 @@ for program in ptrace ptaccum vcmetrics; do
         await "grep -q \"'$program' was ended by signal 9: it is started again\" said"
         await "[ \$(cut -f 3 lines | tail -1) -gt $n ]"; ask GET "/overlay?n=3" | grep -q " 9 "
         await "! ask GET /next | grep -aq \"current.:[1-9]\""; kill_program '$program'
-        await "ask GET /next | grep -aq .ended.:"; ask GET "/save?as=hdr" | grep -aq "^#?RADIANCE"
+        await "ask GET /next | grep -aq \".ended.:[0-9]\""; ask GET "/save?as=hdr" | grep -aq "^#?RADIANCE"
         ask GET "/overlay?n=3" | grep -q " 9 "; n=$(wc -l < lines); ask POST /start
-        await "[ \$(wc -l < lines) -gt $((n + 2)) ]"; ! ask GET /next | grep -aq .ended.:
+        await "[ \$(wc -l < lines) -gt $((n + 2)) ]"; ask GET /next | not grep -aq ".ended.:[0-9]"
         kill $live; ended; [ $status = 0 ]'
 done
 data() { grep -oE '<data value="[^"]*"' report | cut -d '"' -f 2; }
@@ -59,7 +59,7 @@ check 'a report has the numbers of the line, of an edit that is not saved, too, 
     hash=$(printf %s "$(cat edited)" | sha256sum | cut -c 1-64)
     grep -q "sky_day.rad (as changed in the page)</td><td>$hash" report
     grep -q "ptrace -frames 33 -vf view.vf -x 64 -y 64 -vta .* -x 64 -y 64 -frames 0:32 materials.rad" report
-    ! grep -q "<td>low.TAL</td>\|low/high.CR</td>" report  # nobody has drawn them
+    not grep -q "<td>low.TAL</td>\|low/high.CR</td>" report  # nobody has drawn them
     not grep -q "$TMPDIR" report; kill $live; ended'
 # The commands of a report, as a script.
 commands() {

@@ -14,7 +14,7 @@ check 'a second run makes nothing' '
 check 'a share that was stopped is made again, alone' '
     mkdir broken; printf "#!/bin/bash\ncase \$* in *20:24*) exit 9;; esac; exec $BIN/ptrace \"\$@\"\n" > broken/ptrace
     chmod +x broken/ptrace; export OUT=again
-    ! PATH=$PWD/broken:$PATH bash parallel.sh --will-cite; ls again; ! test -e again/4.exr
+    PATH=$PWD/broken:$PATH not bash parallel.sh --will-cite; ls again; not test -e again/4.exr
     touch -d 2000-01-01 again/3.exr; bash parallel.sh --will-cite
     [ -z "$(find again/3.exr -newermt 2001-01-01)" ]
     [ "$(mkstream differ single/0.exr again/whole.exr)" = 0 ]'

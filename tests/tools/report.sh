@@ -53,11 +53,11 @@ check 'nothing comes from outside, and it is small' '
     test $(wc -c < report.html) -lt 2000000
     ! grep -oE "(src|href|url)[=(][^ >]*" report.html | grep -vE "data:|#scale"'
 check 'the picture of a file has a report, without a scene, without objects' '
-    vcmetrics -report file.html last.exr > lines; grep -q last.exr file.html; ! grep -q "<th>What" file.html
+    vcmetrics -report file.html last.exr > lines; grep -q last.exr file.html; not grep -q "<th>What" file.html
     cells lines Ev DGPf > want; data Numbers file.html | grep -xFf want | wc -l | grep -qx 2'
 check 'without moments of pixels it says DGP, and why' '
     ptaccum -last -o last.hdr sums.str; vcmetrics -W- -report plain.html last.hdr > lines
-    grep -q "<p>DGP <data" plain.html; grep -q "no moments of its pixels" plain.html; ! grep -q "<p>DGPf" plain.html
+    grep -q "<p>DGP <data" plain.html; grep -q "no moments of its pixels" plain.html; not grep -q "<p>DGPf" plain.html
     [ "$(vcmetrics -W- -metrics DGP last.hdr | tail -n 1 | cut -f 2)" = "$(
         grep -o "<p>DGP <data value=\"[0-9.]*" plain.html | cut -d \" -f 2)" ]
     not grep -q "no moments" file.html; vcmetrics -W- -G 1 -report cut.html last.exr > lines

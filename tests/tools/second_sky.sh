@@ -91,10 +91,10 @@ check 'a sky that an edit brings is refused, and frames go on without it' '
     grep -qE "^ptrace: more.rad:2: source \"sky\" is a sky beside that of the weather file" said'
 
 check 'lamps, lit windows, illums and far signs are no skies' '
-    trace -wea y.wea room.rad 2> said && [ "$(grep -c . said)" = 1 ]
+    trace -wea y.wea room.rad 2> said; [ "$(grep -c . said)" = 1 ]
     trace -sky day.rad room.rad 2> said && [ ! -s said ]'
 check 'a ground beside -sky is none, nor is a sun beside a sky that has none' '
-    trace -sky day.rad room.rad ground.rad 2> said && [ ! -s said ]
+    trace -sky day.rad room.rad ground.rad 2> said; [ ! -s said ]
     trace -sky blue.rad room.rad sun.rad 2> said && [ ! -s said ]'
 check_error 'but a ground beside that of a weather file' 1 'ground.rad:2: source "ground" is a sky beside' \
     'last_line trace -wea y.wea room.rad ground.rad'

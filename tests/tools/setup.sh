@@ -31,7 +31,7 @@ check 'make test adds what the tests need'  'parts test | grep -qx "tools ptrace
 check 'so do the goals that build tests' 'for goal in test-gpu test-sanitize compare-radiance; do
     parts $goal | grep -qx "tools ptrace tests"; done'
 check 'make fuzz, make deb and make wheel need more' '
-    parts wheel | grep -qx "tools ptrace wheel"; setup wheel; grep -q " python3-venv" asked; ! grep -q numpy asked
+    parts wheel | grep -qx "tools ptrace wheel"; setup wheel; grep -q " python3-venv" asked; not grep -q numpy asked
     parts fuzz | grep -qx "tools ptrace tests fuzz"; parts deb | grep -qx "tools ptrace deb"
     parts deb ARCH=arm64 | grep -qx "tools ptrace deb arm64"; parts test-arm64 | grep -qx "tools ptrace tests arm64"'
 if [ "$(uname -m)" = x86_64 ] && ! command -v ispc > /dev/null; then
@@ -44,7 +44,7 @@ check 'make demo adds the plot'             'parts demo | grep -qx "tools ptrace
 demo() { make -s -n -C "$TOP" demo BUILD="$TMP/new build"; }
 check 'and builds its own programs, without lanes as long as they are not built' '
     demo > planned; grep -q "target ptrace ptaccum vcmetrics vcregion$" planned
-    grep -q -e "-DLUXPIPE_LANES=\"" planned; ! grep -q ispc.sh planned
+    grep -q -e "-DLUXPIPE_LANES=\"" planned; not grep -q ispc.sh planned
     mkdir -p "new build/lib/device"; touch "new build/lib/device/"lanes8.o "new build/lib/device/"lanes16.o
     demo | grep -qE -e "-DLUXPIPE_LANES=(8|16)\""'
 check 'without ptrace its libraries are not asked for' 'parts all FLAGS=-DLUXPIPE_PTRACE=OFF | grep -qE "^tools ?$"'
@@ -65,5 +65,5 @@ check 'without ptrace its page is not installed' '
     cmake --install b --prefix x; test -e x/share/man/man1/vcregion.1
     test -e x/share/man/man5/luxpipe-stream.5; ! find x | grep "ptrace"'
 check 'a packager may say a later C++' '
-    configure -DCMAKE_CXX_STANDARD=20; grep -q "std=c++20" b/build.ninja; ! grep -q "std=c++17" b/build.ninja
+    configure -DCMAKE_CXX_STANDARD=20; grep -q "std=c++20" b/build.ninja; not grep -q "std=c++17" b/build.ninja
     rm -r b; configure; grep -q "std=c++17" b/build.ninja'

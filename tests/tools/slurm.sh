@@ -71,7 +71,7 @@ chmod +x stops/ptrace
 check 'eight shares, one killed and requeued, merge to the bits of one run' '
     job=$(PATH=$PWD/stops:$PATH sbatch --parsable array.sbatch)
     wait_for "test -e $TMP/stopped"; scontrol requeue ${job}_3
-    wait_for "scontrol show job ${job}_3 | grep -q JobState=PENDING"; ! test -e out/3.exr
+    wait_for "scontrol show job ${job}_3 | grep -q JobState=PENDING"; not test -e out/3.exr
     scontrol update jobid=${job}_3 StartTime=now
     wait_for "! squeue -h | grep -q ."
     scontrol show job ${job}_3 | grep -q Restarts=1

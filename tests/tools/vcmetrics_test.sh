@@ -62,7 +62,7 @@ check 'the last row of each picture is the row of a run with all, its interval, 
         $mkstream frames 0 9 64 64 $seed 2> err | sed "s/^FRAME=.*/&\\nLASTFRAME=9/"
     done | ptaccum -every x2/8 > sums.lux
     table() { vcmetrics -metrics Ev,DGPf,DGP.px -ci 95 "$@" < sums.lux; }
-    table | grep "^9" | cut -f 3- > all; ! grep -q "nan.nan.nan" all
+    table | grep "^9" | cut -f 3- > all
     table -last > last; [ "$(wc -l < last)" = 3 ]; tail -n 2 last | cut -f 3- | cmp - all
     [ "$(ptaccum < frames.lux | vcmetrics -last | wc -l)" = 42 ]'
 check_error 'rules need all rows' 1 '^vcmetrics: -last: cannot be used with -until, ' '
@@ -256,7 +256,7 @@ check_error 'a metric too few' 1 'lacks the metric' '
 check '-metrics chooses what of a table is compared' '
     vcmetrics -metrics Ev,DGP office256.hdr > r1; sed "2s/\t[0-9.]*$/\t.5/" r1 > dgp;
     sed "2s/\t[0-9.]*\t/\t9\t/" r1 > ev
-    compare -metrics DGP ev office256.hdr && compare -metrics DGP ev r1
+    compare -metrics DGP ev office256.hdr; compare -metrics DGP ev r1
     ! compare -metrics DGP dgp office256.hdr && ! compare -metrics DGP dgp r1'
 check_error 'of which it must have them' 1 '^vcmetrics: r1: lacks the metric UGR of -metrics$' '
     compare -metrics UGR r1 office256.hdr'
@@ -293,7 +293,7 @@ check 'without a source there are the names of its columns alone' '
     vcmetrics -b 1e9 -sources office256.hdr > none; vcmetrics -sources office256.hdr | head -n 1 | cmp - none'
 check 'outlines are added to the sources, and change nothing else' '
     vcmetrics -sources -format jsonl sunpeak.hdr > one
-    vcmetrics -sources -outlines -format jsonl sunpeak.hdr > two; [ -s one ]; ! grep -v "\"outline\": \[\[" two
+    vcmetrics -sources -outlines -format jsonl sunpeak.hdr > two; [ -s one ]; not grep -v "\"outline\": \[\[" two
     sed "s/, \"outline\": .*/}/" two | cmp - one'
 check_error 'outlines are JSON' 1 '^vcmetrics: -outlines: belongs to -sources and -format jsonl$' '
     vcmetrics -sources -outlines sunpeak.hdr'

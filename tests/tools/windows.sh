@@ -53,10 +53,10 @@ check 'a year: its lines, a row for each sensor, a folder of honeybee' "both '
     vcyear -format csv ../room.tsv; vcyear -honeybee folder ../room.tsv'"
 check 'lines that end with CR LF' "
     sed 's/\$/\r/' office.regions > dos.regions
-    both 'vcregion -vf $scenes/office/view.vf -list ../dos.regions' && cp there/stdout dos
+    both 'vcregion -vf $scenes/office/view.vf -list ../dos.regions'; cp there/stdout dos
     vcregion -vf $scenes/office/view.vf -list office.regions | cmp - dos"
 check 'paths with backslashes and with letters outside of ASCII' '
-    mkdir -p "Büro Süd/日本" && cp frames.hdr "Büro Süd/日本/"
+    mkdir -p "Büro Süd/日本"; cp frames.hdr "Büro Süd/日本/"
     windows/ptaccum -last -o "Büro Süd\\日本\\summe.hdr" "Büro Süd\\日本\\frames.hdr"
     ptaccum -last -o sum.hdr "Büro Süd/日本/frames.hdr"
     cmp <(sed -n "/^FORMAT/,\$p" sum.hdr) <(sed -n "/^FORMAT/,\$p" "Büro Süd/日本/summe.hdr")'
@@ -68,7 +68,7 @@ w plastic floor 0 0 5 .5 .5 .5 0 0
 floor ring ground 0 0 8 0 0 -1 0 0 1 0 5
 END
 check 'a scene in such a folder, a function file with a backslash in its name' '
-    mkdir "Büro Süd/日本/patterns" && cp scene.rad "Büro Süd/日本/"
+    mkdir "Büro Süd/日本/patterns"; cp scene.rad "Büro Süd/日本/"
     echo "wave = .5 + .4*sin(Px)*exp(-Py*Py)*atan2(Pz,Px);" > "Büro Süd/日本/patterns/w.cal"
     view="-x 32 -y 32 -frames 2 -vp 0 0 1 -vd 0 1 -.5 -vu 0 0 1"
     windows/ptrace $view "Büro Süd\日本\scene.rad" | sed "/^ptrace/d" > there.hdr
