@@ -56,6 +56,9 @@ everything test-sanitize fuzz compare-radiance: PARTS += tests
 test: everything ## every test that needs no GPU
 	@cd "$(BUILD)" && ctest --no-tests=error --output-on-failure -j $(JOBS) -LE 'gpu|slow|slurm'
 
+test-slow: everything ## the tests that take minutes: faults of OpenCL, packages made twice, a new option and material
+	@cd "$(BUILD)" && ctest --output-on-failure -L slow
+
 test-slurm: everything ## a job array on a Slurm cluster of this machine, where Slurm is installed (as root)
 	@cd "$(BUILD)" && ctest --output-on-failure -L slurm
 
@@ -180,6 +183,6 @@ setup:
 	@[ "$(SETUP)" = no ] || sh scripts/setup.sh $(PARTS)
 	@[ "$(SETUP)" = no ] || { $(FETCH); }
 
-.PHONY: help all everything demo live test test-gpu test-slurm test-deb test-arm64 check-macos test-sanitize fuzz deb \
-	wheel zip test-windows test-wheel release certificate year opencl-stacks bench coverage coverage-sensors \
+.PHONY: help all everything demo live test test-gpu test-slow test-slurm test-deb test-arm64 check-macos test-sanitize \
+	fuzz deb wheel zip test-windows test-wheel release certificate year opencl-stacks bench coverage coverage-sensors \
 	compare-radiance compare-evalglare man site format lint install uninstall clean setup

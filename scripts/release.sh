@@ -57,6 +57,7 @@ part 'deb ARCH=arm64' 'out/deb/arm64/luxpipe_*.deb' 'Debian 12, ARM' 'test-deb A
 part zip 'out/zip/luxpipe*.zip' 'Windows: ptrace (without OpenCL), ptaccum, vcmetrics, vcregion, vcyear' \
     test-windows 'under wine; no machine'
 say
+[ "$tried" != yes ] || make --no-print-directory test-slow >&2
 [ "$tried" != yes ] || make --no-print-directory test-arm64 ALL=1 >&2
 [ "$tried" = yes ] || say 'None of these goals was run for this page: `make release TRY=yes` does.'
 
