@@ -17,6 +17,7 @@ constexpr int64_t last_frame = 8;    // of a small picture
 constexpr int64_t good_enough = 32;  // frames of the page's picture
 constexpr int noon = 12;             // the first hour
 constexpr double dark_lx = 1;
+constexpr double low_light_lx = 1000;
 
 // Night, beside the hour nearer to noon: no light, or none that this hour has not (lamps).
 bool is_dark(double lx, double before, double brightest) {
@@ -126,8 +127,13 @@ void look_at_day(State& s, Effects& out) {
 }
 
 void take_of_day(State& s, const Measured& m) {
-    s.small = {
-        m.row.edit(), m.row.frame(), {m.row.of("DGPf"), m.row.of("DGPf.lo"), m.row.of("DGPf.hi"), m.row.of("Ev")}};
+    double low = m.row.of("DGPf.lo"), high = m.row.of("DGPf.hi");
+    // The sun in the eye: at the end of the scale in all of so few frames, which have no interval.  But sources only
+    // add to the DGP of the light that reaches the eye, where no correction of low light counts
+    // (docs/decisions/0038-a-year.md).
+    const double dgp = m.row.of("DGPf"), lux = m.row.of("Ev.lo");
+    if (dgp == 1 && std::isnan(low) && lux > low_light_lx) low = std::min(1., 5.87e-5 * lux + .16), high = 1;
+    s.small = {m.row.edit(), m.row.frame(), {dgp, low, high, m.row.of("Ev")}};
 }
 
 // There is no sky at this hour.

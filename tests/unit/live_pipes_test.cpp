@@ -140,6 +140,18 @@ TEST_CASE("a small picture of the model goes before the hours, unless the large 
     row(1, 2, .3);
     CHECK(says("\"first\":{\"frame\":2,\"DGPf\":0.3,\"DGPf.lo\":0.2,\"DGPf.hi\":0.4,\"Ev\":null}"));
     CHECK(says("\"waits\":false"));
+    const auto sun = [&](double low) {  // in the eye: DGPf is 1 in all frames, which have no interval yet
+        page.happen(
+            live::Measured{Which::day, {{{"frame", 3}, {"edit", 1}, {"DGPf", 1}, {"Ev", 9e3}, {"Ev.lo", low}}}});
+    };
+    sun(7999);  // 5.87e-5 lx + .16
+    CHECK(says("\"DGPf\":1,\"DGPf.lo\":0.62"));
+    sun(4e4);
+    CHECK(says("\"DGPf\":1,\"DGPf.lo\":1,\"DGPf.hi\":1,"));
+    for (const double low : {900., double(NAN)}) {
+        sun(low);
+        CHECK(says("\"DGPf\":1,\"DGPf.lo\":null,\"DGPf.hi\":null,"));
+    }
     page.type(0, "new");
     CHECK(says("\"first\":null"));
     CHECK(says("\"waits\":true"));

@@ -31,7 +31,7 @@ export class Day {
         column.style.setProperty('--high', height_of(value));
         column.setAttribute('aria-label', column.title);
         column.setAttribute('aria-current', String(now === hour));
-        column.firstChild.data = text[0] ?? '';
+        column.firstChild.data = kind === 'looking' ? '?' : text[0] ?? '';
         column.querySelector('i').textContent = value.toFixed(2).replace(/^0/, '');
       });
     one_stop($('day'), $('day').children);
