@@ -29,6 +29,8 @@ page.chrome.execute_script("""const places = window.places = new Set(), look = (
         requestAnimationFrame(look); };
     look();""")
 files = page.js('[...document.querySelectorAll("#model-file option")].map((o) => o.text)')
+check('the scene has the name of its own folder', page.text('#where').startswith(os.path.basename(os.getcwd()) + ', '),
+      page.text('#where'))
 check('files of the library are none to edit', files == ['materials.rad', 'open.rad', 'sky_day.rad'], files)
 point(.8, .3)
 check('a wall is a material of its own', soon(lambda: 'wall_paint' in here() and options()[0] == 'of its own'), here())

@@ -22,12 +22,15 @@ void add_regions(const std::string& named, Options& o) {
     if (!base::ends_with(at[1], ".exr")) o.files.emplace_back(at[1], TextFile::Kind::regions, false);
 }
 
-// The folder of the scene's first file, or the scene where it is a folder.
-std::string name_of(const std::vector<std::string>& scene) {
+// The scene where it is a folder, or the folder of its first file: of those that are edited, as others may be of a
+// library.
+std::string name_of(const std::vector<std::string>& scene, const std::vector<std::string>& edited) {
     if (scene.empty()) return "";
     std::error_code wrong;
     const std::filesystem::path first = std::filesystem::weakly_canonical(scene[0], wrong);
-    return (std::filesystem::is_directory(first, wrong) ? first : first.parent_path()).filename().string();
+    if (std::filesystem::is_directory(first, wrong)) return first.filename().string();
+    if (edited.empty()) return first.parent_path().filename().string();
+    return std::filesystem::weakly_canonical(edited[0], wrong).parent_path().filename().string();
 }
 
 }  // namespace
@@ -81,6 +84,6 @@ std::optional<Options> parse_options(int argc, char** argv) {
     o.server.sources = live::sources_command(o.command);
     o.server.plan.measure = live::plan_command(o.command, points);
     o.server.report = live::report_command(o.command, scene);
-    o.server.name = name_of(scene);
+    o.server.name = name_of(scene, edited);
     return o;
 }
