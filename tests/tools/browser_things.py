@@ -121,6 +121,35 @@ half = page.chrome.execute_async_script("""
         skies_in('!gensky 6 1 9:30 +s')[0].hour, with_sky('!gensky 6 1 9:30 +s', 0, 152, 10)]));""")
 check('half past nine is half past nine', half == [9.5, '!gensky 6 1 10 +s'], half)
 
+# The hours of the day, and what is said of them
+said = page.chrome.execute_async_script('''
+    const [done] = arguments, hours = (n) => [...Array(n).keys()].map((h) => [h, .36, .355, .365]);
+    import('/day.js').then(({ Day }) => {
+        const day = new Day({ hour: () => 12 }), buttons = () => [...document.querySelectorAll('#day button')];
+        done([[0, false], [12, false], [12, true], [25, true], [0, true]].map(([n, ended]) => {
+            day.take({ file: 0, hours: hours(n), ended });
+            const texts = buttons().flatMap((b) => [b.querySelector('i'), b.lastChild].map((of) => {
+                const range = document.createRange();
+                range.selectNodeContents(of);
+                return [of.data === undefined, range.getBoundingClientRect()];
+            })), over = [true, false].filter((kind) => {
+                const row = texts.filter(([is]) => is === kind).map(([, box]) => box);
+                return row.some((box, k) => k && box.left < row[k - 1].right);
+            });
+            const say = document.getElementById('day-say'), heights = [];
+            for (let width = 150; width < 500; width += 5) {
+                say.style.width = `${width}px`;
+                heights.push(say.getBoundingClientRect().height);
+            }
+            say.style.width = '';
+            return [say.innerText, String(heights), over.length];
+        }));
+    });''')
+check('a day whose noon is dark has no hours, and waits for none', said[4][0] ==
+      'no hours of the day: at noon no light reaches the eye' and said[0][0].endswith('32 frames'), said)
+check('its words keep their height when the last hour comes', said[1][1] == said[2][1], said)
+check('numbers of hours do not touch', not any(over for *_, over in said), said)
+
 # Windows of any direction: the slats hang before them, on the eye's side, the outer edge lower.
 random.seed(62)
 for k in range(20):

@@ -36,12 +36,13 @@ export class Day {
       });
     one_stop($('day'), $('day').children);
     $('day').style.setProperty('--limit', height_of(limits[0]));
-    const none = 'the hours of the day come when the picture has 32 frames';
+    $('day-say').className = `note ${day?.ended ? 'ended' : ''}`;
     $('day-say').textContent = !day ?
       '' :
       day.hours.length ?
-      `DGPf by the hour; the line is ${limits[0].toFixed(2).replace(/^0/, '')}, from which glare is perceptible${
-        day.ended ? '' : ' …'}` :
-      none;
+      `DGPf by the hour; at the line (${limits[0].toFixed(2).replace(/^0/, '')}) glare is perceptible` :
+      day.ended ?
+      'no hours of the day: at noon no light reaches the eye' :
+      'the hours of the day come when the picture has 32 frames';
   }
 }
