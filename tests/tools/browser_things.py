@@ -31,7 +31,8 @@ page.chrome.execute_script("""const places = window.places = new Set(), look = (
 files = page.js('[...document.querySelectorAll("#model-file option")].map((o) => o.text)')
 check('the scene has the name of its own folder', page.text('#where').startswith(os.path.basename(os.getcwd()) + ', '),
       page.text('#where'))
-check('files of the library are none to edit', files == ['materials.rad', 'open.rad', 'sky_day.rad'], files)
+check('files of the library are none to edit',
+      files == ['materials.rad', 'open.rad', 'latin.rad', 'sky_day.rad'], files)
 point(.8, .3)
 check('a wall is a material of its own', soon(lambda: 'wall_paint' in here() and options()[0] == 'of its own'), here())
 check('and may be any paint of the library', {'paint white', 'wall 50', 'brick red'} <= set(options()), options())
@@ -46,6 +47,7 @@ choose('sun_protection_30')
 check('another one is an edit', soon(lambda: 'glazing: sun protection 30' in edits(), SECONDS), edits())
 page.click('#here button', 'Add a shade to pane')
 check('a shade has a fabric of the library', soon(lambda: 'roller_shade_1 added to pane' in edits(), SECONDS), edits())
+check('in a file whose text is known', page.js('document.getElementById("model-file").value') == 'open.rad')
 check('that is named', page.js('document.querySelector("#here select").value') == 'fabric_grey_3', here())
 choose('fabric_white_5')
 check('and changed by name',

@@ -6,8 +6,9 @@ needs ptrace ptaccum vcmetrics vcview luxpipe-live python3 chromedriver
 
 cp "$TOP"/examples/scenes/office/*.rad "$TOP"/examples/scenes/office/{view.vf,days.wea} .
 sed 's/ blind.rad//' layout.rad > open.rad
+printf '# B\374ro\n' > latin.rad  # the page cannot read it
 luxpipe-live -vf view.vf -x 64 -y 64 -regions my.regions "$(ptrace -library)/paints.rad" \
-    materials.rad open.rad sky_day.rad > lines 2> link &
+    materials.rad open.rad latin.rad sky_day.rad > lines 2> link &
 running=$!
 for ((k = 0; k < 600; k++)); do [ -s lines ] || sleep .1; done
 check 'things have names' '

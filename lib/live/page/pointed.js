@@ -161,9 +161,10 @@ export class Pointed {
     ];
   }
 
-  // The file that a shade is added to: that of the surface, else the last one without a sky.
+  // The file that a shade is added to: that of the surface, else the last one without a sky whose text is known.
   shade_file(stands) {
-    const files = this.sliders.files.filter((f) => f.file.writable && !/^!.*\bgen(sky|daylit)\b/m.test(f.text));
+    const files = this.sliders.files.filter(
+      (f) => f.file.writable && f.base !== undefined && !/^!.*\bgen(sky|daylit)\b/m.test(f.text));
     return stands?.one ?? files[files.length - 1];
   }
 
