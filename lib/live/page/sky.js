@@ -9,8 +9,8 @@ const $ = (id) => document.getElementById(id);
 export class Sky {
   constructor(sliders) {
     this.sliders = sliders;
-    sliders.place_sky = (text, k, day, hour) => this.weather && !k && kind_of(text) === of_weather ?
-      with_weather(text, this.weather, day, hour) :
+    sliders.place_sky = (text, k, day, hour, from) => this.weather && !k && kind_of(text) === of_weather ?
+      with_weather(text, this.weather, day, hour, from) :
       with_sky(text, k, day, hour);
     $('sky-kind').append(...Object.entries(skies).map(([kind, words]) => new Option(words, kind)));
     $('sky-kind').addEventListener('change', () => {

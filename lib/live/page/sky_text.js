@@ -40,9 +40,9 @@ const after_time = (line, words) => {
 export const with_sky_kind = (text, kind) => with_line(text, 0, (line) =>
   after_time(bare(line).replace(/\bgendaylit\b/, 'gensky'), kind));
 
-// The hour of a weather file that is nearest to the time, and its place.
-export function with_weather(text, weather, day, hour) {
-  const at = hour_of(weather, day, hour), [month, date] = date_of(at.day);
+// The hour of a weather file that is nearest to the time, and its place.  Moved from a time: not that hour again.
+export function with_weather(text, weather, day, hour, from) {
+  const at = hour_of(weather, day, hour, from), [month, date] = date_of(at.day);
   return with_line(text, 0, (line) => {
     const time = bare(line).replace(/\b(gensky|gendaylit)([ \t]+\S+){3}/, `gendaylit ${month} ${date} ${at.hour}`);
     const place = [['-a', weather.latitude], ['-o', weather.longitude], ['-m', weather.meridian]];
@@ -55,9 +55,12 @@ const day_of = (month, date) => {
   for (let day = 1; day <= 365; day++) if (String(date_of(day)) === `${month},${date}`) return day;
   return 59;  // 29 February
 };
-const hour_of = ({ hours }, day, hour) => {
+const hour_of = ({ hours }, day, hour, from) => {
   const far = (h) => Math.abs(h.day - day) * 24 + Math.abs(h.hour - hour);
-  return hours.reduce((best, h) => far(h) < far(best) ? h : best);
+  const of = (all) => all.reduce((best, h) => far(h) < far(best) ? h : best), at = of(hours);
+  if (at.day !== from?.day || at.hour !== from.hour) return at;
+  const beyond = hours.filter((h) => (h.day - at.day) * (day - at.day) > 0 || (h.hour - at.hour) * (hour - at.hour) > 0);
+  return beyond.length ? of(beyond) : at;
 };
 
 // EPW or WEA: { place, latitude, longitude (west), meridian, hours: [{ day, hour (its middle), direct, diffuse }] };

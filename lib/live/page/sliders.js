@@ -25,7 +25,7 @@ export class Sliders {
   constructor() {
     this.files = [];  // { file: as on the disk, text: as it is shown, version: of that }
     this.chosen = null;  // the index of a number
-    this.place_sky = with_sky;  // (text, k, day, hour): the text with its sky k there
+    this.place_sky = with_sky;  // (text, k, day, hour, from): with its sky k there; from: { day, hour } before
     $('model-file').addEventListener('change', () => { this.chosen = null; this.show(); });
     $('model-revert').addEventListener('click', () => this.set(this.now.file.text));
     $('model-save').addEventListener('click', () => this.save());
@@ -93,8 +93,7 @@ export class Sliders {
     const one = this.now;
     one.going = false;
     if (one.small) this.send(one);
-    this.mark();
-    this.show_text();
+    this.show();
   }
 
   // Sends the newest text when the one before it has gone: small pictures while a slider moves, so that all of its way is one
@@ -169,9 +168,10 @@ export class Sliders {
     const skies = this.files.flatMap((one) => skies_in(one.text).flatMap((sky, k) => ['day', 'hour'].map((what) => ({ one, sky, k, what }))));
     keep($('skies'), skies, ({ one, sky, k, what }) => [one.file.n, k, sky.program, what], ({ one, sky, k, what }) => {
       const change = (v, going) => {
-        const { day, hour } = { ...skies_in(one.text)[k], [what]: v };
+        const now = skies_in(one.text)[k], { day, hour } = { ...now, [what]: v };
+        if (!one.going) one.from = now;
         this.choose(one);
-        this.set(this.place_sky(one.text, k, day, hour), going);
+        this.set(this.place_sky(one.text, k, day, hour, one.from), going);
       };
       return what === 'day' ? this.slider(`${sky.program}: day`, 1, 365, 1, sky.day, date, change) : this.slider('hour', 0, 24, .25, sky.hour, clock, change);
     }, (label, { sky, what }) => label.show(sky[what]));
