@@ -161,8 +161,9 @@ Answer change_variant(State& s, Effects& out, const Request& r) {
     if (what == "base" && name != s.now.base)
         change(s, name.empty() ? "compare with the edit before" : "compare with " + name,
                [&](Model& m) { m.base = name; });
-    const bool drops = what == "drop";
-    if (drops || (what == "call" && !to.empty() && !find_variant(s.now, to)))
+    const bool drops = what == "drop", calls = what == "call" && to != name;
+    if (calls && (to.empty() || find_variant(s.now, to))) return plain(409, "each variant has a name of its own");
+    if (drops || calls)
         change(s, "variant " + name + (drops ? " deleted" : " called " + to), [&](Model& m) {
             if (m.base == name) m.base = drops ? "" : to;
             for (Variant& v : m.variants)

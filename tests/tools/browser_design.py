@@ -121,6 +121,11 @@ check('it is given a name', soon(lambda: variants()[1][1] == 'low blind'), varia
 page.keys('#compare', 'side')
 halves = lambda: page.js("""((c) => [.25, .75].map((x) => [...c.getContext('2d').getImageData(x * c.width,
     c.height / 2, 1, 1).data].slice(0, 3).join(' ')))(document.getElementById('canvas'))""")
+for name in ('A', Keys.DELETE):
+    page.type('#variants tbody tr:nth-child(2) .name', name)
+    check('another one must be its own, which is told', soon(
+        lambda: 'a name of its own' in text('#messages') and variants()[1][1] == 'low blind'), variants())
+    page.click('#messages button')
 check('two variants stand side by side in one scale', soon(lambda: len(set(halves())) == 2), halves())
 page.click('#variants tbody tr:nth-child(1) button')
 check('a variant is shown by one action', soon(lambda: '30' in slats() and names()[0].startswith('A'), SECONDS),

@@ -36,6 +36,22 @@ TEST_CASE("changes of texts by version, undone and made again one by one; a drag
     CHECK(t.of("b.rad") == "e");
 }
 
+TEST_CASE("a variant has a name of its own") {
+    Page page({"a.rad"});
+    Tracer t = started(page);
+    page.run(t);
+    page.variant("keep", "A");
+    page.variant("keep", "B");
+    const auto call = [&](const std::string& to) {
+        return page.ask("/variant", {{"do", "call"}, {"name", "B"}, {"to", to}});
+    };
+    for (const char* to : {"A", ""}) CHECK(call(to) == 409);
+    CHECK(call("B") == 204);
+    CHECK(page.s.now.variants[1].name == "B");
+    CHECK(call("C") == 204);
+    CHECK(page.s.now.variants[1].name == "C");
+}
+
 TEST_CASE("all that the page can change is undone and made again, and has a name") {
     Page page({"a.rad"}, "x.regions");
     Tracer t = started(page);

@@ -1,6 +1,7 @@
 // The camera by pointer and keys: look around, orbit, walk.  The page computes the view and sends it over ptrace's
 // FIFO: a small picture (`preview`) while it moves, the newest one only when the last has come; the full one (`view`)
 // at rest.
+import { tell } from '/messages.js';
 import { command, post } from '/net.js';
 import { short } from '/picture.js';
 import { keep } from '/table.js';
@@ -172,7 +173,7 @@ export class Camera {
     this.waiting = 0;
   }
 
-  say(text) { if (text) $('status').textContent = text; }
+  say(text) { if (text) tell(text); }
 }
 
 const words = ({ vp, vd }) => `-vp ${digits(vp)} -vd ${digits(vd)}`;

@@ -53,7 +53,11 @@ export class Variants {
         return e;
       };
       row.cells[0].append(control('input', { type: 'radio', name: 'base' }, `compare with ${name}`, 'change', () => act('base', name)));
-      row.cells[1].append(control('input', { className: 'name', defaultValue: name }, 'name', 'change', (e) => act('call', name, e.value.trim())));
+      row.cells[1].append(control('input', { className: 'name', defaultValue: name }, 'name', 'change', async (e) => {
+        const wrong = await act('call', name, e.value.trim());
+        if (wrong) e.value = name;
+        return wrong;
+      }));
       row.cells[3].append(control('button', { type: 'button' }, `show ${name}`, 'click', () => act('show', name)),
         control('button', { type: 'button', textContent: '×' }, `delete ${name}`, 'click', () => act('drop', name)));
       return row;
