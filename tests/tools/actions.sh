@@ -32,7 +32,7 @@ columns() { vcmetrics -ci 95 -metrics "$@" 2> said; }
 check 'the last row of a view has all numbers, those of actions behind the others' '
     columns Ev,mEDI,mDER,DGPV,EvV < sums.str | cut -f 3-17 > rows
     [ "$(head -n 1 rows | tr "\t" "\n" | grep -v "[.]" | tr "\n" " ")" = "Ev mEDI mDER DGPV EvV " ]
-    tail -n 1 rows | awk "function near(a, b) { if ((a/b - 1)^2 > 1e-8) { print a, b; exit 1 } }
+    tail -n 1 rows | awk "function near(a, b) { if (!((a/b - 1)^2 <= 1e-8)) { print a, b; exit 1 } }
         { near(\$4, .6*\$1); near(\$5, .6*\$2); near(\$6, .6*\$3); near(\$7, .5); near(\$13, 1.2*\$1) }"
     tail -n 1 rows | awk "{ exit \$8 != \$7 || \$9 != \$7 || !(\$2 < \$1) || !(\$10 > .2) }"'
 check 'an illuminance by V that differs from Ev is told once' '
@@ -41,7 +41,7 @@ check 'with -last it is the only row of the view' '
     for v in desk door; do named $v < long.str; done | ptaccum -every x2/16 > two.str 2> said
     columns Ev,mEDI,mDER -last < two.str > rows
     [ "$(cut -f 1,3 rows | tr "\t\n" "/ ")" = "frame/view 64/desk 64/door " ]
-    awk "NR > 1 && (\$10 - .5)^2 > 1e-8 { exit 1 }" rows'
+    awk "NR > 1 && !((\$10 - .5)^2 <= 1e-8) { exit 1 }" rows'
 check 'who asks for no action has the rows of before' '
     columns Ev,DGP < sums.str > with; mkstream last 64 < o | ptaccum -every x2/16 2> said | columns Ev,DGP > without
     cut -f 1,3- with | diff - <(cut -f 1,3- without)'
@@ -49,7 +49,7 @@ check 'files one after another count, too' '
     ptaccum -last -o f.exr < long.str; columns Ev,mEDI,mDER f.exr f_mel.exr f_V.exr > rows
     not grep -v "illuminance by V" said
     [ "$(cut -f 1 rows | tr "\n" " ")" = "file f.exr f_mel.exr f_V.exr " ]
-    tail -n 1 rows | awk "{ exit (\$8 - .5)^2 > 1e-8 }"
+    tail -n 1 rows | awk "{ exit !((\$8 - .5)^2 <= 1e-8) }"
     columns mEDI f.exr f_mel.exr f.exr f_mel.exr | cut -f 1 | tr "\n" " " > rows
     grep -qx "file f.exr f_mel.exr f.exr f_mel.exr " rows'
 check 'by itself such a picture is called by its name' '
@@ -75,7 +75,7 @@ check_error 'a rule that asks for a column that the run lacks' 1 '^vcmetrics: -u
     vcmetrics -until "mEDI 2%" < sums.str'
 check 'actions of a user are called by their names' '
     mkstream action plant 9 W/m2 .01 < o | mkstream last 64 | cat long.str - | ptaccum -last > plant.str
-    columns Ev,E_plant -last < plant.str | tail -n 1 | awk "{ exit (\$6/\$3 - .01)^2 > 1e-6 }"'
+    columns Ev,E_plant -last < plant.str | tail -n 1 | awk "{ exit !((\$6/\$3 - .01)^2 <= 1e-6) }"'
 check 'a rule waits for what the run is to measure, and ends it in the picture of the action' '
     columns mEDI,Ev -until "mEDI 2%" < sums.str > rows; [ "$(tail -n 1 rows | cut -f 1)" -lt 64 ]
     grep -q "^vcmetrics: stopped after .* mEDI 10[0-9.]* +-" said
@@ -98,12 +98,12 @@ check 'numbers of sensors by an action stand in the row of its last picture' '
     columns "mean,floor.mEDI.mean,mEDI.share250,EvV.mean" -last < floor.str > rows; [ "$(wc -l < rows)" = 2 ]
     [ "$(head -n 1 rows | cut -f 3- | tr "\t" "\n" | grep -v "[.][lh][oi]$" | tr "\n" " ")" = \
         "floor.mean floor.mEDI.mean floor.mEDI.share250 floor.EvV.mean " ]
-    tail -n 1 rows | awk "function near(a, b) { if ((a/b - 1)^2 > 1e-8) { print a, b; exit 1 } }
+    tail -n 1 rows | awk "function near(a, b) { if (!((a/b - 1)^2 <= 1e-8)) { print a, b; exit 1 } }
         { near(\$6, .6*\$3); near(\$7, .6*\$4); near(\$12, 1.2*\$3); exit !(\$9 > 0 && \$9 < 1) }"'
 check 'each sensor has both in a row' '
     columns mEDI -each < floor.str > each; [ "$(wc -l < each)" = 257 ]
     [ "$(head -n 1 each | cut -f 3-9 | tr "\t" " ")" = "E lo hi mEDI mEDI.lo mEDI.hi errors" ]
-    awk "NR > 1 && (\$6/\$3 - .6)^2 > 1e-8 { exit 1 }" each; tail -n 1 each | grep -q " mEDI=[0-9]"'
+    awk "NR > 1 && !((\$6/\$3 - .6)^2 <= 1e-8) { exit 1 }" each; tail -n 1 each | grep -q " mEDI=[0-9]"'
 check 'who asks for no action of sensors has the rows of before' '
     columns mean < floor.str > with; mkstream last 64 < o | grid | ptaccum -every x2/16 2> said | columns mean > without
     cut -f 1,3- with | diff - <(cut -f 1,3- without)'
@@ -132,4 +132,5 @@ check 'and the share of the sensors' '
     grep -qE "^mEDI      136 lx in .* %.* of the hours, in 50 % of them at .* %.* of the sensors; 250 lx in" five
     vcyear -format tsv sensors.tsv 2> said | head -n 1 | tr "\t" "\n" | grep -c "^s*mEDI_" | grep -qx 12'
 check 'without the column nothing is said of it' '
-    ptaccum -every x2/16 < year.str 2> said | columns Ev,DGP -last > plain.tsv; ! vcyear plain.tsv 2> said | grep mEDI'
+    ptaccum -every x2/16 < year.str 2> said | columns Ev,DGP -last > plain.tsv
+    vcyear plain.tsv 2> said | not grep mEDI'

@@ -109,7 +109,7 @@ check 'regions that come and go: a new line of names' '
     changing "sed 1,3d r.regions > q;  echo wall rect 4 4 20 9 >> q;  mv q r.regions"
     [ "$(grep -c ^frame t)" = 2 ]
     [ "$(sed -n 19p t | cut -f 4-)" = "$(printf "Ev\tscreen_high.TAL\tscreen_low.TAL\twall.TAL")" ]
-    tail -17 t | cut -f 7 | awk "!(\$1 > 0) { exit 1 }"'
+    tail -17 t | cut -f 7 | awk "!(\$1 + 0 > 0) { exit 1 }"'
 check 'a region that -cr names stays, as nan' '
     changing "sed -i /screen_low/d r.regions" -cr screen_low/screen_high -metrics Ev,CR
     [ "$(grep -c ^frame t)" = 1 ]; [ "$(tail -17 t | cut -f 5 | uniq)" = nan ]'
@@ -118,12 +118,12 @@ check 'a pair of -cr may come before its regions: nan, then numbers' '
     { edit "0 start" light; edit "1 scene" dark | { sleep 1; cp whole.regions q; mv q r.regions; sleep .3; cat; }; } |
         ptaccum | vcmetrics -regions r.regions -cr screen_low/screen_high -metrics Ev,CR > t
     [ "$(sed -n 2,17p t | cut -f 5 | uniq)" = nan ]; grep -q "screen_low/screen_high.CR" t
-    tail -1 t | awk "!(\$NF > 0) { exit 1 }"; echo > r.regions
+    tail -1 t | awk "!(\$NF + 0 > 0) { exit 1 }"; echo > r.regions
     edit "0 start" light | ptaccum | vcmetrics -regions r.regions -cr a/b -metrics Ev,CR | tail -1 | grep -q "nan$"'
 check 'a ratio without bias may come before its regions' '
     cp office.regions full.regions; sed -i /screen/d office.regions
     changing "cp full.regions r.regions" -cr screen_low/screen_high -metrics Ev,CRu; cp full.regions office.regions
-    sed 1,18d t | tail -1 | awk "!(\$NF > 0) { exit 1 }"'
+    sed 1,18d t | tail -1 | awk "!(\$NF + 0 > 0) { exit 1 }"'
 check_error 'in a picture its regions are there' 1 '^vcmetrics: -cr: there is no region "a"' '
     vcmetrics -W- -regions office.regions -cr a/b -metrics CR light.exr'
 check 'a broken region file is said once with its line, and the last good one goes on' '

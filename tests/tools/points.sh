@@ -96,7 +96,7 @@ check '"each 5%" ends it where 95 of 100 points of each grid are within 5 %' '
     ptrace -points desk.pts -points wall.a.pts sky.rad room.rad | ptaccum -o - |
         vcmetrics -each -until "each 5%" > table 2> said
     grep -q "stopped after [0-9]* frames: -until holds" said
-    awk "NR > 1 && (\$5 - \$4) / 2 > .05 * \$3 { exit 1 }" table
+    awk "NR > 1 && !((\$5 - \$4) / 2 <= .05 * \$3) { exit 1 }" table
     test "$(sed "s/.*after \([0-9]*\) .*/\1/" said)" -lt 300'
 check_error 'and is no number of the table' 1 'is not a number of a grid' 'stream 3 | vcmetrics -metrics desk.each'
 check_exit 'or was not met' 4 'stream 3 | vcmetrics -until "desk.mean .0001%" 2> said'
