@@ -21,7 +21,8 @@ check 'rows say which of how many hours they are, also in parts, and named ones 
     frames -views two.vf -hours 2/3 | table | awk "{ print \$NF }" | sed 1d | sort -u | tr "\n" " " > part
     [ "$(cat part)" = "5/12 6/12 7/12 8/12 " ]
     frames -views two.vf -hours "0121_0930 0221_1230" | table > named.tsv
-    [ "$(awk "{ print \$NF }" named.tsv | sort -u | tr "\n" " ")" = "- hour " ]; ! vcyear named.tsv | grep -q " of 12"'
+    [ "$(awk "{ print \$NF }" named.tsv | sort -u | tr "\n" " ")" = "- hour " ]
+    vcyear named.tsv | not grep -q " of 12"'
 check 'a year that was cut off says so, and goes on to what the whole one is' '
     cut_off; vcyear cut.tsv > cut
     grep -qx "hours     12, 3 dark.*" cut; grep -q "^hours     [4-9] of 12, " cut

@@ -128,7 +128,7 @@ check 'what is left out of a sky, and light without a sun, is told once by its h
     grep -qx "ptrace: warning: lit.wea:12: 1221_0430: has direct sunlight with the sun below the horizon.*" said
     [ "$(wc -l < said)" = 3 ]'
 check 'the sun is that of the year in -hours' '
-    lux -wea lit.wea -hours "2023 0321" 2> said | grep ^0321_1230 > of_2023
+    lux -wea lit.wea -hours "2023 0321" 2> said | grep ^0321_1230 | cut -f -4 > of_2023
     grep -q "the sun is that of 2023; 1 January is a Sunday" said; ! grep -qFf of_2023 lux.tsv'
 check 'hours without values are counted, and are rows of nan' '
     render -wea y.wea > with.str 2> said

@@ -25,7 +25,7 @@ done
 check 'nothing of that was done' 'test ! -e PWNED && test ! -e leak.hdr && test ! -e log'
 rif good.rad 'render= $SECRET'
 check_error 'it cannot ask for the environment' 1 '^ptrace: t.rif: ' "SECRET=word123 $t_rif"
-check 'and sees nothing of it' '! grep word123 .stderr'
+check 'and sees nothing of it' "SECRET=word123 $t_rif 2> said || true; test -s said; ! grep word123 said x"
 echo 'word123 is my password' > private
 rif good.rad 'render= @private'
 check_error 'a word of an @file that is not an option is not shown' 1 \
@@ -159,7 +159,7 @@ printf '!sleep 61.7 & echo $! > sleeper; wait\n' > sleep.rad
 check 'and end with the program' '
     ptrace $view -exec -frames 1 good.rad sleep.rad > x & pid=$!
     for i in $(seq 100); do test -s sleeper && break; sleep .1; done
-    kill -TERM $pid; wait $pid || true; sleep .3
+    kill -TERM $pid; wait $pid || true; sleep .3; test -s sleeper
     ! kill -0 $(cat sleeper) || grep -q "^State:.*Z" /proc/$(cat sleeper)/status'
 printf '!sed p\n' > stdin.rad
 check 'and do not read our standard input' '
