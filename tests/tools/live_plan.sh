@@ -34,7 +34,7 @@ check 'numbers and map are those of a batch run' '
     begin $points; whole 0; told; batch 300 $scene | cmp - told; grep -q "from\|line: 300" told
     ask POST "/plan?limit=2000"; state; [ "$(of_state limit)" = 2000 ]
     whole 0; told; batch 2000 $scene | cmp - told; grep -q "line: 2000" told
-    for wrong in 0 -1 nan 1e9 3x ""; do ! ask POST "/plan?limit=$wrong"; done; [ "$(of_state limit)" = 2000 ]
+    for wrong in 0 -1 nan 1e9 3x ""; do not ask POST "/plan?limit=$wrong"; done; [ "$(of_state limit)" = 2000 ]
     sed "s/^5 .68 .67 .../5 .1 .1 .1/" materials.rad > dark.rad
     ask POST "/overlay?n=1&version=0" "$(cat dark.rad)"
     whole 1; told; batch 2000 dark.rad layout.rad sky_day.rad | cmp - told
