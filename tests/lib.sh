@@ -49,7 +49,7 @@ grep() {
 }
 
 # not COMMAND: inside a check, where set -e takes no notice of "!" unless it comes last.
-not() { ! "$@"; }
+not() { "$@" && return 1; [ $? = 1 ]; }
 
 # report ok|bad sentence [command]: one TAP line; a failure shows the command and what it said.
 report() {

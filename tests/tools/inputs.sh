@@ -56,9 +56,9 @@ check 'with a blank between' 'joined "usemtl Brick\nf 1 2\\\\\n3 4\n"'
 check 'where lines end as those of Windows do' 'joined "usemtl Brick\r\nf 1 2 \\\\\r\n3 4\r\n"'
 check 'but none to a comment' 'joined "# C:\\\\models\\\\\nusemtl Brick\nf 1 2 3 4\n"'
 check "an octree may be a command's output" '
-    cp "$TOP/tests/golden/vectors/in_a.oct" .; ptrace $view -exec brick.rad "!dd if=in_a.oct status=none" > a
-    ptrace $view brick.rad in_a.oct > b; frames() { ptaccum -last -ff "$1" | sed "1,/^$/d"; }
-    [ "$(frames a | cksum)" = "$(frames b | cksum)" ]'
+    pixels() { ptrace $view -vp 0 0 5 "$@" | ptaccum -last -ff | sed "1,/^$/d"; }
+    cp "$TOP/tests/golden/vectors/in_a.oct" .; pixels -exec brick.rad "!dd if=in_a.oct status=none" > a
+    pixels brick.rad in_a.oct | cmp - a; pixels brick.rad > b; not cmp -s a b'
 check 'names with a folder are found from elsewhere' '
     mkdir -p site/model/scene site/model/bsdf away; cp lib/deep/klemsq.xml site/model/bsdf/x.xml
     printf "void BSDF m 6 0 ./model/bsdf/x.xml 0 1 0 . 0 0\nm ring r 0 0 8 0 0 -1 0 0 1 0 9\n" > site/model/scene/e.rad
@@ -72,8 +72,8 @@ options_of() {
     ptrace -rif t.rif -w- -frames 1 "$@" | strings | sed -n "s/^FINGERPRINT=.*options:\([0-9a-f]*\).*/\1/p"
 }
 check 'words of rad after a rad input file stand for lines of it' '
-    [ "$(options_of)" = "$(options_of QUALITY=High)" ]; [ "$(options_of)" != "$(options_of QUALITY=Low)" ]
-    [ "$(options_of up QUAL=Low)" = "$(options_of QUALITY=Low)" ]; [ -n "$(options_of)" ]
+    high=$(options_of QUALITY=High) low=$(options_of QUALITY=Low); [ -n "$high" ]; [ -n "$low" ]
+    [ "$(options_of)" = "$high" ]; [ "$low" != "$high" ]; [ "$(options_of up QUAL=Low)" = "$low" ]
     ptrace -rif t.rif -w- -frames 1 RES=8 up | head -c 1000 | strings | grep -qx -e "-Y 8 +X 8"'
 check 'options after -rif come later than they' '
     ptrace -rif t.rif -x 4 -y 4 -w- -frames 1 RES=8 up | head -c 1000 | strings | grep -qx -e "-Y 4 +X 4"'
@@ -96,7 +96,8 @@ check 'an hour that no clock shows is told of' '
         grep -q "^ptrace: warning: sky.rad:1: gen[a-z]*: .*\(hour\|minutes\)" said || { echo "$time"; exit 1; }
     done
     for time in "gensky 3 21 0" "gensky 3 21 +24" "gensky 3 21 10:59" "gendaylit 3 21 14.5 -W 800 100"; do
-        printf "!$time\n" > sky.rad; ptrace $view -w+ sky.rad 2>&1 > x | { ! grep hour; } || { echo "$time"; exit 1; }
+        printf "!$time\n" > sky.rad; echo "$time"
+        ptrace $view -w+ sky.rad 2>&1 > x | not grep "hour\|minutes"
     done'
 
 # cat joins files whose last lines do not end, and so does oconv.

@@ -43,4 +43,5 @@ check 'a click on an hour keeps them, another date does not' '
     ask POST "/overlay?n=4&version=1" "$(sed "s/12 21 11/6 21 11/" then.rad)" > /dev/null
     hours; [ "$(hour 12)" != "$then" ]'  # that of June is there at once, or not yet
 check 'all programs end with the page, and nothing is left' '
-    kill $live; await "! kill -0 $live"; [ -z "$(ls t)" ]; ! pgrep -f "$PWD/t/luxpipe-live"'
+    pgrep -f "$PWD/t/vcview"; kill $live; await "! kill -0 $live 2> /dev/null"; [ -z "$(ls t)" ]
+    await "! pgrep -f $PWD/t/vcview"'

@@ -47,7 +47,8 @@ check 'evalglare'"'"'s DGP of the same pictures rises with their size, and DGP.p
     within $(measured 64 1 DGP.px sun.rad) $(awk -v s=$small -v w=$want "BEGIN { print w - s }") .001'
 check 'a uniform surround keeps its DGP' '
     grep -v sun_light sun.rad > sky.rad
-    [ "$(measured 64 1 DGP,UGR,n_sources sky.rad)" = "$(measured 64 1 DGPf,UGRf,n_sourcesf sky.rad)" ]'
+    plain=$(measured 64 1 DGP,UGR,n_sources sky.rad)
+    [ "$(measured 64 1 DGPf,UGRf,n_sourcesf sky.rad)" = "$plain" ]'
 # Seen through two panes, half behind a bar, and in a mirror.
 cat > panes.rad << 'END'
 void glass pane 0 0 3 .96 .96 .96
