@@ -96,7 +96,7 @@ with Task('desk, and a screen with its contrast', 8) as t:
     check('and a plot', soon(lambda: {'desk.TAL', 'low/high.CR'} <= set(plots())), plots())
 
 with Task('an hour of December without glare', 1) as t:
-    hour = '#day button.class0:not(.open)'
+    hour = '#day button.class0:not(.open):not([aria-current=true])'
     check('the hours come by themselves', soon(lambda: page.find(hour), SECONDS))
     which = page.one(hour).get_attribute('data-hour')
     t.click(f'#day button[data-hour="{which}"]')
