@@ -85,9 +85,11 @@ check 'also by a rad input file' 'printf "scene= room.rad day.rad blue.rad\nview
 check 'a sky that an edit brings is refused, and frames go on without it' '
     mkfifo ctl; echo "void plastic grey 0 0 5 .5 .5 .5 0 0" > more.rad
     { sleep 1; cat blue.rad > more.rad; echo scene > ctl; } &
-    timeout 20 ptrace -vta -vp 2 2 1 -vd 0 1 0 -x 8 -y 8 -frames 999999 -watch -control ctl -wea y.wea \
+    timeout 40 ptrace -vta -vp 2 2 1 -vd 0 1 0 -x 8 -y 8 -frames 999999 -watch -control ctl -wea y.wea \
         -hours 0621_1230 room.rad more.rad 2> said | cat > out.str & pid=$!
-    sleep 2.5; was=$(wc -c < out.str); sleep .5; kill $pid; wait $pid || :; [ $was -lt $(wc -c < out.str) ]
+    for k in $(seq 180); do grep -q "a sky beside" said && break; sleep .1; done; was=$(wc -c < out.str)
+    for k in $(seq 100); do [ $was -ge $(wc -c < out.str) ] || break; sleep .1; done
+    kill $pid; wait $pid || :; [ $was -lt $(wc -c < out.str) ]
     grep -qE "^ptrace: more.rad:2: source \"sky\" is a sky beside that of the weather file" said'
 
 check 'lamps, lit windows, illums and far signs are no skies' '
