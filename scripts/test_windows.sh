@@ -1,8 +1,8 @@
 #!/bin/bash
 # SPDX-License-Identifier: BSD-3-Clause
-# test_windows.sh BUILD: tests the programs for Windows that were built in BUILD, under wine: evalglare's recorded runs,
-# the bits of frames, and that files are the same as those of this machine's programs ($BIN).  Wine is not Windows: its
-# files, pipes and console are Linux's.
+# test_windows.sh BUILD: tests the programs for Windows in BUILD under wine.  They must repeat evalglare's recorded
+# runs, give the recorded bits of frames, and write the files that this machine's programs ($BIN) write.
+# Wine is not Windows: its files, pipes and console are Linux's.
 set -eu
 top=$(cd "$(dirname "$0")/.." && pwd)
 build=$(cd "$1" && pwd)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What every program sets up before it reads its options, and where its own file is.
+// Setup of every program before it reads its options: streams, stack, the words of its command line, its own path.
 #pragma once
 #include <cstddef>
 #include <functional>

@@ -45,6 +45,8 @@ double dgp(const GlareTerms& sources, double ev, const DgpConstants& k) {
     return dgp_of_sum(sum, !sources.empty(), ev, k);
 }
 
+double least_dgp(double ev) { return ev >= 1000 ? dgp_of_sum(0, false, ev, paper_dgp) : 0; }
+
 std::vector<double> dgp_shares(const GlareTerms& sources, const DgpConstants& k) {
     double sum = 0;
     for (const GlareTerm& s : sources) sum += dgp_term(s, k);

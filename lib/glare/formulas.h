@@ -22,6 +22,9 @@ constexpr DgpConstants paper_dgp{2, 1, 1.87, 2, 1, 5.87e-5, 0.0918, 0.16};
 double dgp_term(const GlareTerm& s, const DgpConstants& k);                 // L^a1 w^a2 / P^a4
 double dgp_of_sum(double sum, bool any, double ev, const DgpConstants& k);  // at most 1
 double dgp(const GlareTerms& s, double ev, const DgpConstants& k);
+// The DGP of light that reaches the eye without any source of glare, by the paper: sources only add to it.  0 where the
+// correction of low light counts (below 1000 lx), and for nan.
+double least_dgp(double ev);
 std::vector<double> dgp_shares(const GlareTerms& s, const DgpConstants& k);  // of each source in the sum
 double low_light_factor(double ev);                                          // below 1000 lux, else 1
 

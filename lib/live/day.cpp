@@ -6,6 +6,7 @@
 #include <cmath>
 #include <regex>
 
+#include "glare/formulas.h"
 #include "live/json.h"
 #include "live/steps.h"
 
@@ -17,7 +18,6 @@ constexpr int64_t last_frame = 8;    // of a small picture
 constexpr int64_t good_enough = 32;  // frames of the page's picture
 constexpr int noon = 12;             // the first hour
 constexpr double dark_lx = 1;
-constexpr double low_light_lx = 1000;
 
 // Night, beside the hour nearer to noon: no light, or none that this hour has not (lamps).
 bool is_dark(double lx, double before, double brightest) {
@@ -128,11 +128,9 @@ void look_at_day(State& s, Effects& out) {
 
 void take_of_day(State& s, const Measured& m) {
     double low = m.row.of("DGPf.lo"), high = m.row.of("DGPf.hi");
-    // The sun in the eye: at the end of the scale in all of so few frames, which have no interval.  But sources only
-    // add to the DGP of the light that reaches the eye, where no correction of low light counts
-    // (docs/decisions/0038-a-year.md).
-    const double dgp = m.row.of("DGPf"), lux = m.row.of("Ev.lo");
-    if (dgp == 1 && std::isnan(low) && lux > low_light_lx) low = std::min(1., 5.87e-5 * lux + .16), high = 1;
+    // The sun in the eye: DGPf is 1 in all of so few frames, and has no interval.  But the illuminance alone bounds it.
+    const double dgp = m.row.of("DGPf"), least = glare::least_dgp(m.row.of("Ev.lo"));
+    if (dgp == 1 && std::isnan(low) && least > 0) low = least, high = 1;
     s.small = {m.row.edit(), m.row.frame(), {dgp, low, high, m.row.of("Ev")}};
 }
 

@@ -6,15 +6,12 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "glare/formulas.h"
 #include "report/errors.h"
 #include "uncertainty/student.h"
 
 namespace year {
 namespace {
-
-// DGP of light that reaches the eye without any source of glare (J. Wienold and J. Christoffersen, Evaluation methods
-// and development of a new glare prediction model, Energy and Buildings 38, 2006): sources only add to it.
-double dgp_of(double lux) { return 5.87e-5 * lux + .16; }
 
 // The error of DGPf from pixels (docs/decisions/0038-a-year.md).  DGPf.px is what its known causes change; the rest is
 // some thousandths in round pictures of 64 x 64, half of it when the sides double.  Without DGPf.px all that filling
@@ -47,14 +44,13 @@ report::NumberError error_of(const Columns& c, const report::NumberRow& row, con
 
 // The DGP that an hour has by the lower limit of its illuminance alone; 0 where the correction of low light counts.
 double least_dgp(const Columns& c, const report::NumberRow& row, const std::string& place) {
-    constexpr double low_light = 1000;  // lx
     if (!c.ev || !c.ev_low) return 0;
     double lux = row.values[*c.ev_low];
     if (c.errors) {
         const report::NumberError e = error_of(c, row, "Ev", place);
         lux = row.values[*c.ev] - uncertainty::student_of_normal(normal_quantile, e.degrees) * e.error;
     }
-    return lux > low_light ? std::min(dgp_of(lux), 1.) : 0;
+    return glare::least_dgp(lux);
 }
 
 }  // namespace

@@ -20,14 +20,14 @@ lib/glare: base view image
 lib/evalglare: base view glare
 lib/report: base view image uncertainty glare
 lib/region: base view image display
-lib/year: base view image display uncertainty report weather
+lib/year: base view image display uncertainty glare report weather
 lib/bvh: base kernels
 lib/flatten: base spectrum cal scene bvh kernels
 lib/device: base flatten bvh kernels
 lib/sampling: base flatten device kernels
 lib/render: base view image spectrum scene flatten device sampling kernels
 lib/visibility: base region scene flatten
-lib/live: base view image display region
+lib/live: base view image display glare region
 tools/ptaccum: base view image film display
 tools/vcmetrics: base view image spectrum display uncertainty glare evalglare report region visibility
 tools/vcregion: base view image region visibility

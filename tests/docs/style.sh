@@ -87,7 +87,7 @@ check 'no two files of a library have a name of their own in common: make compil
     unnamed() { awk -f "$TOP/tests/docs/unnamed.awk" "$@"; }
     unnamed a/one.cpp a/two.cpp b/two.cpp | cut -d : -f 1-3 > seen
     printf "a/two.cpp:2: f\na/two.cpp:6: many\n" | diff - seen
-    for made in -v -e; do  # those of Windows are compiled without the others
+    for made in -v -e; do  # files of Windows are not compiled with the others
         unnamed $(unity | grep $made _windows.cpp)
     done > clashes; ! grep . clashes >&2'
 

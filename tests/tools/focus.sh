@@ -48,7 +48,7 @@ check_error 'no file' 2 '^ptrace: none.exr: cannot be read: No such file' 'rende
 check 'a share of noisy pixels moves frames' '
     render 3 -noisy-share 0 | ptaccum -last -o even.exr; render 3 | ptaccum -last -o noisy.exr
     moved=$(mkstream differ even.exr noisy.exr); [ $moved != 0 ]'
-check 'it is told apart' 'even=$(print -noisy-share 0); [ "$(print)" != "$even" ]'
+check 'another share is another fingerprint' 'even=$(print -noisy-share 0); [ "$(print)" != "$even" ]'
 check 'but not where paths share nothing' '
     even=$(print -sampling portals -noisy-share 0); [ "$(print -sampling portals)" = "$even" ]'
 check_error 'a share of noisy pixels below 0' 1 '^ptrace: -noisy-share' 'render 1 -noisy-share -1'
